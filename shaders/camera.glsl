@@ -1,0 +1,21 @@
+// From a place in the picture to a ray.
+
+Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
+    vec2 ndc = vec2(2.0 * place.x / float(scene.frame.width) - 1.0, 1.0 - 2.0 * place.y / float(scene.frame.height));
+    Camera camera = scene.frame.camera;
+    vec3 onPlane = ndc.x * camera.right + ndc.y * camera.up;
+    vec3 origin = camera.position;
+    vec3 direction;
+    if (IS_ORTHOGRAPHIC != 0u) {
+        origin += onPlane;
+        direction = camera.forward;
+    } else if (HAS_LENS != 0u) {
+        vec2 onLens = sampleRing(samplePair(pixelSeed, sampleIndex, 1u), 0.0);
+        vec3 fromCentre = onLens.x * camera.lensRight + onLens.y * camera.lensUp;
+        origin += fromCentre;
+        direction = normalize((camera.forward + onPlane) * camera.focusDistance - fromCentre);
+    } else {
+        direction = normalize(camera.forward + onPlane);
+    }
+    return Path(origin, direction, vec3(1.0), 0u);
+}

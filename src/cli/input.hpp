@@ -1,0 +1,33 @@
+// Scene files from disk, with the overrides of the command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene/parse.hpp"
+
+namespace fringe::cli {
+
+// The file or an option is not what it should be; the message says so.
+class InputError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct SceneSource {
+    std::string file;
+    std::vector<std::string> overrides;  // as given: "PATH=VALUE"
+};
+
+// The positional SCENE and the repeatable --set.
+void addSceneOptions(CLI::App& command, SceneSource& source);
+
+// Throws InputError.
+std::string readTextFile(const std::string& path);
+
+// Throws InputError or scene::SceneError.
+scene::Scene parseSource(const SceneSource& source, const std::string& text);
+
+}  // namespace fringe::cli

@@ -1,0 +1,41 @@
+#include "cli/outputs.hpp"
+
+#include "image/file_error.hpp"
+
+namespace fringe::cli {
+
+Outputs::Outputs(const std::vector<std::string>& paths, std::uint32_t width, std::uint32_t height,
+                 const image::OutputOptions& options)
+    : width_(width), rowsLeft_(height) {
+    for (const std::string& path : paths) writers_.push_back(image::openWriter(path, width, height, options));
+}
+
+// Runs `work` on every writer that has not failed yet.
+template <class Work>
+void Outputs::onEach(Work work) {
+    for (auto& writer : writers_) {
+        if (!writer) continue;
+        try {
+            work(*writer);
+        } catch (const image::FileError& error) {
+            failures_.emplace_back(error.what());
+            writer.reset();
+        }
+    }
+}
+
+void Outputs::writeRows(std::span<const image::Pixel> rows) {
+    onEach([&](image::Writer& writer) { writer.writeRows(rows); });
+    rowsLeft_ -= static_cast<std::uint32_t>(rows.size() / width_);
+}
+
+void Outputs::fill() {
+    const std::vector<image::Pixel> row(width_);
+    while (rowsLeft_ > 0) writeRows(row);
+}
+
+void Outputs::finish() {
+    onEach([](image::Writer& writer) { writer.finish(); });
+}
+
+}  // namespace fringe::cli

@@ -1,0 +1,298 @@
+// fringe render: a scene to pictures, on the device or on the reference renderer.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "compile/compiled_scene.hpp"
+#include "oracle/reference.hpp"
+#include "render/renderer.hpp"
+#include "version.hpp"
+
+namespace fringe::cli {
+namespace {
+
+struct RenderOptions {
+    SceneSource source;
+    std::vector<std::string> outputs;
+    std::string device;
+    std::string stats;
+    std::uint32_t tile = 0;
+    int pngBits = 8;
+    std::string exrType = "half";
+    bool reference = false;
+    bool keepPartial = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// What a render was and how long its parts took; the source of the summary, --stats and --json.
+struct Report {
+    std::string renderer;  // the device, or the reference
+    std::string driver;
+    double parse_ms = 0.0;
+    double startUp_ms = 0.0;
+    render::Clocks clocks;
+    double write_ms = 0.0;
+    double total_ms = 0.0;
+};
+
+// ---- metadata -----------------------------------------------------------------------------------
+
+// Longer scenes are named but not carried inside the picture.
+constexpr std::size_t kLongestEmbeddedScene = 256 << 10;
+
+std::string optionsText(const RenderOptions& options, const scene::Image& image) {
+    std::string text = fmt::format("{}x{}, {} samples, seed {}, max_depth {}, exposure {:g}", image.width,
+                                   image.height, image.samples, image.seed, image.maxDepth, image.exposure);
+    if (options.reference) text += ", --reference";
+    for (const std::string& given : options.source.overrides) text += ", --set " + given;
+    return text;
+}
+
+image::Metadata metadata(const RenderOptions& options, const scene::Scene& scene, const std::string& text,
+                         const Report& report) {
+    image::Metadata data{
+        {"Software", fmt::format("fringe {} ({})", kVersion, kCommit)},
+        {"Creation Time", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+        {"fringe scene file", options.source.file},
+        {"fringe device", report.renderer},
+        {"fringe driver", report.driver},
+        {"fringe options", optionsText(options, scene.image)},
+    };
+    if (!scene.description.empty()) data.insert(data.begin(), {"Description", scene.description});
+    if (text.size() <= kLongestEmbeddedScene) data.emplace_back("fringe scene", text);
+    return data;
+}
+
+image::OutputOptions outputOptions(const RenderOptions& options, const scene::Scene& scene,
+                                   const std::string& text, bool printedFaults, const Report& report) {
+    return {.exposure = scene.image.exposure,
+            .pngBits = options.pngBits,
+            .exrFloat = options.exrType == "float",
+            .nonFiniteChannel = printedFaults,
+            .metadata = metadata(options, scene, text, report)};
+}
+
+// ---- the two renderers --------------------------------------------------------------------------
+
+using BandSink = std::function<void(std::span<const image::Pixel>)>;
+using ProgressSink = std::function<void(double)>;
+
+// False when interrupted; `sink` then got what was done of the last band.
+bool renderReference(const oracle::Reference& reference, const scene::Image& image, const BandSink& sink,
+                     const ProgressSink& progress, Report& report) {
+    constexpr std::uint32_t kRows = 16;  // a band short enough to show progress
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<image::Pixel> pixels;
+    for (std::uint32_t row = 0; row < image.height; row += kRows) {
+        const std::uint32_t rows = std::min(kRows, image.height - row);
+        pixels.assign(std::size_t{rows} * image.width, {});
+        const auto start = Clock::now();
+        const bool complete = reference.render(row, rows, pixels, threads, interrupted());
+        report.clocks.dispatch += millisecondsSince(start);
+        if (!complete) return false;
+        sink(pixels);
+        progress(double{1.0} * (row + rows) / image.height);
+    }
+    return true;
+}
+
+bool renderOnDevice(render::Renderer& renderer, std::uint32_t tile, const BandSink& sink,
+                    const ProgressSink& progress) {
+    return renderer.render({.cancelled = interrupted(),
+                            .onProgress = progress,
+                            .onBand = [&](const render::Band& band) { sink(band.pixels); },
+                            .tile = tile});
+}
+
+bool environmentFlag(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0' && std::string_view(value) != "0";
+}
+
+gpu::DeviceRequest deviceRequest(const RenderOptions& options) {
+    const char* fromEnvironment = std::getenv("FRINGE_DEVICE");
+    const std::string fallback = fromEnvironment != nullptr ? fromEnvironment : "";
+    return {.selector = options.device.empty() ? fallback : options.device,
+            .validation = environmentFlag("FRINGE_VALIDATION")};
+}
+
+// ---- what is said about it ----------------------------------------------------------------------
+
+double peakMemory_MiB() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts KiB
+}
+
+Json::Value toJson(const Report& report, const RenderOptions& options, const scene::Image& image) {
+    Json::Value json;
+    json["scene"] = options.source.file;
+    for (const std::string& path : options.outputs) json["outputs"].append(path);
+    json["device"] = report.renderer;
+    json["driver"] = report.driver;
+    json["width"] = image.width;
+    json["height"] = image.height;
+    json["samples"] = image.samples;
+    Json::Value& clocks = json["clocks_ms"];
+    clocks["parse"] = report.parse_ms;
+    clocks["start_up"] = report.startUp_ms;
+    clocks["upload"] = report.clocks.upload;
+    clocks["compile"] = report.clocks.compile;
+    clocks["dispatch"] = report.clocks.dispatch;
+    clocks["readback"] = report.clocks.readback;
+    clocks["write"] = report.write_ms;
+    clocks["total"] = report.total_ms;
+    json["dispatches"] = Json::UInt64{report.clocks.dispatches};
+    json["peak_rss_mib"] = peakMemory_MiB();
+    return json;
+}
+
+void writeStats(const std::string& path, const Json::Value& stats) {
+    std::ofstream file(path);
+    file << formatJson(stats);
+    if (!file.flush()) throw InputError(path + ": the statistics cannot be written there");
+}
+
+void printSummary(const Report& report, const RenderOptions& options, const scene::Image& image) {
+    fmt::print("{}: {} x {}, {} sample(s), {:.3f} s ({:.1f} ms rendering) on {}\n",
+               fmt::join(options.outputs, ", "), image.width, image.height, image.samples,
+               report.total_ms / 1e3, report.clocks.dispatch, report.renderer);
+}
+
+// ---- the command --------------------------------------------------------------------------------
+
+// The status after the files are complete, or after an interruption.
+int conclude(Outputs& outputs, bool complete, const RenderOptions& options) {
+    if (!complete && !options.keepPartial) {
+        fmt::print(stderr, "fringe: interrupted; nothing was written (--keep-partial writes what is done)\n");
+        return interruptStatus();
+    }
+    if (!complete) outputs.fill();
+    outputs.finish();
+    for (const std::string& failure : outputs.failures()) fmt::print(stderr, "fringe: {}\n", failure);
+    if (!complete) {
+        fmt::print(stderr, "fringe: interrupted; what was done is in {}\n", fmt::join(options.outputs, ", "));
+        return interruptStatus();
+    }
+    return outputs.failures().empty() ? kDone : kMachineCannot;
+}
+
+int reportValidation(const gpu::Device& device) {
+    const auto messages = device.validationMessages();
+    for (const std::string& message : messages) fmt::print(stderr, "fringe: validation: {}\n", message);
+    return messages.empty() ? kDone : kMachineCannot;
+}
+
+bool hasPrintedFaults(const scene::Scene& scene) {
+    const auto asPrinted = [](const auto& model) {
+        if constexpr (requires { model.faults; }) return model.faults == scene::Faults::asPrinted;
+        else return false;
+    };
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const auto& material) { return std::visit(asPrinted, material.model); }) ||
+           std::any_of(scene.lights.begin(), scene.lights.end(),
+                       [&](const auto& light) { return std::visit(asPrinted, light.model); });
+}
+
+int render(RenderOptions options) {
+    const auto start = Clock::now();
+    catchInterrupts();
+    if (options.outputs.empty()) {
+        options.outputs.push_back(std::filesystem::path(options.source.file).stem().string() + ".png");
+    }
+    Report report;
+    const std::string text = readTextFile(options.source.file);
+    const scene::Scene scene = parseSource(options.source, text);
+    report.parse_ms = millisecondsSince(start);
+
+    std::optional<gpu::Device> device;
+    const auto startUp = Clock::now();
+    if (options.reference) {
+        report.renderer = "reference renderer (CPU, double precision)";
+        report.driver = kCompiler;
+    } else {
+        device.emplace(deviceRequest(options));
+        report.renderer = device->description().name;
+        report.driver = device->description().driver;
+    }
+    report.startUp_ms = millisecondsSince(startUp);
+
+    Outputs outputs(options.outputs, scene.image.width, scene.image.height,
+                    outputOptions(options, scene, text, hasPrintedFaults(scene), report));
+    const BandSink sink = [&](std::span<const image::Pixel> rows) {
+        const auto writeStart = Clock::now();
+        outputs.writeRows(rows);
+        report.write_ms += millisecondsSince(writeStart);
+    };
+    bool complete = false;
+    {
+        Progress progress(options.quiet);
+        const ProgressSink show = [&](double done) { progress.show(done); };
+        if (options.reference) {
+            complete = renderReference(oracle::Reference(scene), scene.image, sink, show, report);
+        } else {
+            const compile::CompiledScene compiled = compile::compileScene(scene);
+            render::Renderer renderer(*device, compiled, compile::specialise(compiled, scene.camera));
+            complete = renderOnDevice(renderer, options.tile, sink, show);
+            report.clocks = renderer.clocks();
+        }
+    }
+    const auto finishing = Clock::now();
+    int status = conclude(outputs, complete, options);
+    report.write_ms += millisecondsSince(finishing);
+    report.total_ms = millisecondsSince(start);
+    if (device && status == kDone) status = reportValidation(*device);
+    if (!options.stats.empty()) writeStats(options.stats, toJson(report, options, scene.image));
+    if (complete && options.json) printJson(toJson(report, options, scene.image));
+    else if (complete && !options.quiet) printSummary(report, options, scene.image);
+    return status;
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Command& chosen) {
+    CLI::App* command = app.add_subcommand("render", "Render a scene to PNG and EXR files");
+    const auto options = std::make_shared<RenderOptions>();
+    addSceneOptions(*command, options->source);
+    command
+        ->add_option("-o,--output", options->outputs,
+                     "picture file, .png or .exr; may be given several times")
+        ->allow_extra_args(false);
+    command->add_flag("--reference", options->reference,
+                      "render on the CPU in double precision, by other code");
+    command->add_option("--device", options->device,
+                        "Vulkan device, by index or part of its name (see: fringe devices)");
+    command->add_option("--tile", options->tile, "edge of a tile in pixels (default: fitted to the device)");
+    command->add_option("--png-bits", options->pngBits, "8 (default) or 16")->check(CLI::IsMember({8, 16}));
+    command->add_option("--exr-type", options->exrType, "half (default) or float")
+        ->check(CLI::IsMember({"half", "float"}));
+    command->add_option("--stats", options->stats, "write the clocks and the peak memory to this JSON file");
+    command->add_flag("--keep-partial", options->keepPartial,
+                      "on Ctrl-C, write what is done (the rest is black)");
+    command->add_flag("--quiet", options->quiet, "no progress and no summary");
+    command->add_flag("--json", options->json, "print the summary as JSON");
+    command->callback([=, &chosen] { chosen = [=] { return render(*options); }; });
+}
+
+}  // namespace fringe::cli

@@ -1,0 +1,36 @@
+// The scene as the device gets it: floats, flat arrays, and the constants of the pipeline that it needs.
+#pragma once
+
+#include <vector>
+
+#include "compile/interface.hpp"
+#include "scene/scene.hpp"
+
+namespace fringe::compile {
+
+struct CompiledScene {
+    device::Frame frame{};
+    std::vector<device::Plane> planes;
+    std::vector<device::Rectangle> rectangles;
+    std::vector<device::Disc> discs;
+    std::vector<device::Sphere> spheres;
+    std::vector<device::Box> boxes;
+    std::vector<device::Cylinder> cylinders;
+    std::vector<device::Cone> cones;
+    std::vector<device::Triangle> triangles;
+    std::vector<device::Material> materials;
+    std::vector<device::ThesisAperture> apertures;
+    std::vector<device::Light> lights;
+    std::vector<device::ThesisGrating> gratings;
+};
+
+// Pure. The only place where units become floats.
+CompiledScene compileScene(const scene::Scene& scene);
+
+// The uniform block: the frame, and the arrays that have no more than FEW elements.
+device::SceneBlock sceneBlock(const CompiledScene& scene);
+
+// Which features the scene has. Pure; depends on the scene's structure, not on values.
+device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera);
+
+}  // namespace fringe::compile

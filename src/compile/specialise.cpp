@@ -1,0 +1,71 @@
+// Which of the shader's features a scene needs.
+#include <algorithm>
+
+#include "compile/compiled_scene.hpp"
+
+namespace fringe::compile {
+namespace {
+
+// 1 if any element's `kind` is the one asked for.
+template <class Element>
+device::uint any(const std::vector<Element>& elements, device::uint kind) {
+    return std::any_of(elements.begin(), elements.end(), [kind](const Element& e) { return e.kind == kind; });
+}
+
+device::uint printed(const CompiledScene& compiled) {
+    const auto asPrinted = [](const device::ThesisAperture& aperture) { return aperture.asPrinted != 0; };
+    return std::any_of(compiled.apertures.begin(), compiled.apertures.end(), asPrinted) ||
+           std::any_of(compiled.gratings.begin(), compiled.gratings.end(),
+                       [&](const device::ThesisGrating& grating) { return asPrinted(grating.aperture); });
+}
+
+device::uint hasLens(const scene::Camera& camera) {
+    const auto* perspective = std::get_if<scene::Perspective>(&camera.projection);
+    return perspective != nullptr && perspective->lens.has_value();
+}
+
+}  // namespace
+
+device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera) {
+    const bool dielectrics = any(compiled.materials, device::DIELECTRIC) != 0;
+    const auto few = [](std::size_t size) {
+        return static_cast<device::uint>(std::min<std::size_t>(size, device::FEW + 1));
+    };
+    const auto count = [&](const auto& elements) { return few(elements.size()); };
+    return {
+        .PLANE_COUNT = count(compiled.planes),
+        .RECTANGLE_COUNT = count(compiled.rectangles),
+        .DISC_COUNT = count(compiled.discs),
+        .SPHERE_COUNT = count(compiled.spheres),
+        .BOX_COUNT = count(compiled.boxes),
+        .CYLINDER_COUNT = count(compiled.cylinders),
+        .CONE_COUNT = count(compiled.cones),
+        .TRIANGLE_COUNT = count(compiled.triangles),
+        .GRATING_COUNT = count(compiled.gratings),
+        .LIGHT_COUNT = count(compiled.lights),
+        .HAS_DIFFUSE = any(compiled.materials, device::DIFFUSE),
+        .HAS_CONDUCTORS = any(compiled.materials, device::CONDUCTOR),
+        .HAS_DIELECTRICS = dielectrics,
+        .HAS_EMITTERS = any(compiled.materials, device::EMISSIVE),
+        .HAS_THESIS_DISCS = any(compiled.materials, device::THESIS_DISC),
+        .HAS_POINT_LIGHTS = any(compiled.lights, device::POINT_LIGHT),
+        .HAS_SPOT_LIGHTS = any(compiled.lights, device::SPOT_LIGHT),
+        .HAS_DIRECTIONAL_LIGHTS = any(compiled.lights, device::DIRECTIONAL_LIGHT),
+        .HAS_RECTANGLE_LIGHTS = any(compiled.lights, device::RECTANGLE_LIGHT),
+        .HAS_DISC_LIGHTS = any(compiled.lights, device::DISC_LIGHT),
+        .HAS_SPHERE_LIGHTS = any(compiled.lights, device::SPHERE_LIGHT),
+        .HAS_ENVIRONMENT = any(compiled.lights, device::ENVIRONMENT_LIGHT),
+        .HAS_PRINTED_FAULTS = printed(compiled),
+        .IS_ORTHOGRAPHIC = std::holds_alternative<scene::Orthographic>(camera.projection),
+        .HAS_LENS = hasLens(camera),
+        .HAS_SEVERAL_SAMPLES = compiled.frame.samples > 1,
+        // Following one branch of two leaves one waiting per surface passed.
+        .STACK_SIZE = dielectrics ? compiled.frame.maxDepth + 1 : 1,
+        .PLANE_CASTERS = few(compiled.frame.planeCasters),
+        .RECTANGLE_CASTERS = few(compiled.frame.rectangleCasters),
+        .DISC_CASTERS = few(compiled.frame.discCasters),
+        .TRIANGLE_CASTERS = few(compiled.frame.triangleCasters),
+    };
+}
+
+}  // namespace fringe::compile

@@ -1,0 +1,262 @@
+#include "gpu/device.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+namespace fringe::gpu {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr std::uint32_t kStorageBuffers = 13;  // bindings 1..13 of shaders/bindings.glsl
+constexpr std::uint32_t kWorkgroupInvocations = 64;
+
+// ---- instance -----------------------------------------------------------------------------------
+
+vk::raii::Context openLoader() {
+    try {
+        return vk::raii::Context();
+    } catch (const std::exception&) {
+        throw DeviceError(
+            "no Vulkan loader (libvulkan.so.1) on this machine; install one together with a driver, on "
+            "Debian: "
+            "apt-get install libvulkan1 mesa-vulkan-drivers");
+    }
+}
+
+bool hasValidationLayer(const vk::raii::Context& context) {
+    const auto layers = context.enumerateInstanceLayerProperties();
+    return std::any_of(layers.begin(), layers.end(), [](const auto& layer) {
+        return std::string_view(layer.layerName) == kValidationLayer;
+    });
+}
+
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+    if (validation && !hasValidationLayer(context)) {
+        throw DeviceError(
+            "validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed; on "
+            "Debian: "
+            "apt-get install vulkan-validationlayers");
+    }
+    const vk::ApplicationInfo application("fringe", 1, "fringe", 1, VK_API_VERSION_1_2);
+    const std::array layers{kValidationLayer};
+    const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+    const std::array checks{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    const vk::ValidationFeaturesEXT features(checks);
+    vk::InstanceCreateInfo info({}, &application);
+    if (validation)
+        info.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions).setPNext(&features);
+    try {
+        return {context, info};
+    } catch (const vk::IncompatibleDriverError&) {
+        throw DeviceError(
+            "no Vulkan driver on this machine; install one, on Debian: apt-get install mesa-vulkan-drivers "
+            "(its lavapipe renders on the CPU)");
+    } catch (const vk::Error& error) {
+        throw DeviceError(std::string("Vulkan cannot start: ") + error.what());
+    }
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+    static_cast<ValidationLog*>(log)->add(data->pMessage);
+    return VK_FALSE;
+}
+
+vk::raii::DebugUtilsMessengerEXT createMessenger(const vk::raii::Instance& instance, bool validation,
+                                                 ValidationLog* log) {
+    if (!validation) return nullptr;
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return {instance,
+            {{},
+             Severity::eWarning | Severity::eError,
+             Type::eGeneral | Type::eValidation | Type::ePerformance,
+             onMessage,
+             log}};
+}
+
+// ---- what a physical device offers --------------------------------------------------------------
+
+std::string typeName(vk::PhysicalDeviceType type) {
+    switch (type) {
+        case vk::PhysicalDeviceType::eDiscreteGpu:
+            return "discrete GPU";
+        case vk::PhysicalDeviceType::eIntegratedGpu:
+            return "integrated GPU";
+        case vk::PhysicalDeviceType::eVirtualGpu:
+            return "virtual GPU";
+        case vk::PhysicalDeviceType::eCpu:
+            return "CPU";
+        default:
+            return "other";
+    }
+}
+
+int preference(const DeviceDescription& device) {
+    constexpr std::array order{"discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"};
+    return static_cast<int>(std::find(order.begin(), order.end(), device.type) - order.begin());
+}
+
+std::optional<std::uint32_t> computeFamily(const vk::raii::PhysicalDevice& physical) {
+    const auto families = physical.getQueueFamilyProperties();
+    for (std::uint32_t i = 0; i < families.size(); ++i) {
+        if (families[i].queueFlags & vk::QueueFlagBits::eCompute) return i;
+    }
+    return std::nullopt;
+}
+
+DeviceDescription describe(const vk::raii::PhysicalDevice& physical) {
+    const vk::PhysicalDeviceProperties properties = physical.getProperties();
+    const auto version = [](std::uint32_t v) {
+        return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(v), VK_API_VERSION_MINOR(v),
+                           VK_API_VERSION_PATCH(v));
+    };
+    DeviceDescription result{.name = properties.deviceName.data(),
+                             .type = typeName(properties.deviceType),
+                             .driver = {},
+                             .vulkan = version(properties.apiVersion),
+                             .missing = {}};
+    if (properties.apiVersion < VK_API_VERSION_1_2) {
+        result.driver = version(properties.driverVersion);
+        result.missing.push_back("Vulkan 1.2");
+        return result;  // the queries below need it
+    }
+    const auto chain =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+    result.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+    const auto features =
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+    if (!features.get<vk::PhysicalDeviceVulkan12Features>().scalarBlockLayout) {
+        result.missing.push_back("scalarBlockLayout (a feature of Vulkan 1.2)");
+    }
+    if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers) {
+        result.missing.push_back(fmt::format("{} storage buffers in a shader (has {})", kStorageBuffers,
+                                             properties.limits.maxPerStageDescriptorStorageBuffers));
+    }
+    if (properties.limits.maxComputeWorkGroupInvocations < kWorkgroupInvocations) {
+        result.missing.push_back(fmt::format("{} invocations in a workgroup", kWorkgroupInvocations));
+    }
+    if (!computeFamily(physical)) result.missing.push_back("a compute queue");
+    return result;
+}
+
+std::vector<vk::raii::PhysicalDevice> physicalDevices(const vk::raii::Instance& instance) {
+    vk::raii::PhysicalDevices devices =
+        guarded("listing devices", [&] { return vk::raii::PhysicalDevices(instance); });
+    if (devices.empty()) {
+        throw DeviceError(
+            "Vulkan is installed, but its drivers offer no device; install a driver, on Debian: "
+            "apt-get install mesa-vulkan-drivers (its lavapipe renders on the CPU)");
+    }
+    return devices;
+}
+
+bool containsIgnoringCase(const std::string& text, const std::string& part) {
+    const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+std::string listing(const std::vector<DeviceDescription>& devices) {
+    std::string text;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        text += fmt::format("\n  {}: {} ({})", i, devices[i].name, devices[i].type);
+        if (!devices[i].missing.empty())
+            text += fmt::format(", lacks {}", fmt::join(devices[i].missing, ", "));
+    }
+    return text;
+}
+
+// Index of the device that `selector` means, or of the best usable one.
+std::size_t choose(const std::vector<DeviceDescription>& devices, const std::string& selector) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (!selector.empty()) {
+            if (fmt::to_string(i) == selector || containsIgnoringCase(devices[i].name, selector)) chosen = i;
+            if (chosen) break;
+        } else if (devices[i].missing.empty() &&
+                   (!chosen || preference(devices[i]) < preference(devices[*chosen]))) {
+            chosen = i;
+        }
+    }
+    if (!chosen && !selector.empty()) {
+        throw DeviceError(fmt::format("no device \"{}\"; there are:{}", selector, listing(devices)));
+    }
+    if (!chosen) throw DeviceError("none of this machine's devices can run Fringe:" + listing(devices));
+    if (!devices[*chosen].missing.empty()) {
+        throw DeviceError(fmt::format("{} cannot run Fringe: it lacks {}; there are:{}",
+                                      devices[*chosen].name, fmt::join(devices[*chosen].missing, ", "),
+                                      listing(devices)));
+    }
+    return *chosen;
+}
+
+vk::raii::PhysicalDevice choosePhysical(const vk::raii::Instance& instance, const std::string& selector) {
+    auto all = physicalDevices(instance);
+    std::vector<DeviceDescription> descriptions;
+    for (const auto& physical : all) descriptions.push_back(describe(physical));
+    return std::move(all[choose(descriptions, selector)]);
+}
+
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
+    return guarded("opening the device", [&] {
+        const float priority = 1.0F;
+        const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
+        vk::PhysicalDeviceVulkan12Features features;
+        features.scalarBlockLayout = VK_TRUE;
+        vk::DeviceCreateInfo info({}, queue);
+        info.setPNext(&features);
+        return vk::raii::Device(physical, info);
+    });
+}
+
+}  // namespace
+
+void ValidationLog::add(std::string text) {
+    const std::scoped_lock lock(mutex_);
+    texts_.push_back(std::move(text));
+}
+
+std::vector<std::string> ValidationLog::texts() const {
+    const std::scoped_lock lock(mutex_);
+    return texts_;
+}
+
+std::vector<DeviceDescription> listDevices() {
+    const vk::raii::Context context = openLoader();
+    const vk::raii::Instance instance = createInstance(context, false);
+    std::vector<DeviceDescription> devices;
+    for (const auto& physical : physicalDevices(instance)) devices.push_back(describe(physical));
+    return devices;
+}
+
+Device::Device(const DeviceRequest& request)
+    : context_(openLoader()),
+      validation_(std::make_unique<ValidationLog>()),
+      instance_(createInstance(context_, request.validation)),
+      messenger_(createMessenger(instance_, request.validation, validation_.get())),
+      physical_(choosePhysical(instance_, request.selector)),
+      description_(describe(physical_)),
+      limits_(physical_.getProperties().limits),
+      memory_(physical_.getMemoryProperties()),
+      queueFamily_(computeFamily(physical_).value()),
+      device_(createDevice(physical_, queueFamily_)),
+      queue_(device_, queueFamily_, 0),
+      commandPool_(device_, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queueFamily_}) {}
+
+std::optional<std::uint32_t> Device::memoryType(std::uint32_t typeBits,
+                                                vk::MemoryPropertyFlags properties) const {
+    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
+        const bool allowed = ((typeBits >> i) & 1U) != 0;
+        if (allowed && (memory_.memoryTypes[i].propertyFlags & properties) == properties) return i;
+    }
+    return std::nullopt;
+}
+
+}  // namespace fringe::gpu

@@ -1,0 +1,48 @@
+#include "image/writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+#include "image/formats.hpp"
+
+namespace fringe::image {
+
+bool isMetadataKey(const std::string& key) {
+    // Header attributes that readers of EXR files expect to hold their own type.
+    static constexpr std::array<std::string_view, 15> taken = {
+        "channels",          "chromaticities", "chunkCount", "compression",      "dataWindow",
+        "displayWindow",     "lineOrder",      "name",       "pixelAspectRatio", "screenWindowCenter",
+        "screenWindowWidth", "tiles",          "type",       "version",          "view"};
+    const auto isPrintable = [](char c) { return c >= ' ' && c <= '~'; };
+    return !key.empty() && key.size() <= 79 && std::all_of(key.begin(), key.end(), isPrintable) &&
+           key.front() != ' ' && key.back() != ' ' && key.find("  ") == std::string::npos &&
+           std::find(taken.begin(), taken.end(), key) == taken.end();
+}
+
+std::unique_ptr<Writer> openWriter(const std::filesystem::path& path, std::uint32_t width,
+                                   std::uint32_t height, const OutputOptions& options) {
+    assert(width > 0 && height > 0);
+    assert(options.pngBits == 8 || options.pngBits == 16);
+    assert(std::all_of(options.metadata.begin(), options.metadata.end(), [](const auto& entry) {
+        return isMetadataKey(entry.first) && entry.second.find('\0') == std::string::npos;
+    }));
+
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png") return openPngWriter(path, width, height, options);
+    if (extension == ".exr") return openExrWriter(path, width, height, options);
+    throw FileError(path, "the name does not say which format to write; end it in .png or .exr");
+}
+
+void writeImage(const std::filesystem::path& path, const Image& image, const OutputOptions& options) {
+    const std::unique_ptr<Writer> writer = openWriter(path, image.width, image.height, options);
+    writer->writeRows(image.pixels);
+    writer->finish();
+}
+
+}  // namespace fringe::image

@@ -1,0 +1,67 @@
+// Renders a compiled scene on a device: dispatches tiles and sample batches, and hands on the picture band by
+// band, so that neither the device nor the host ever holds a whole large picture.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "compile/compiled_scene.hpp"
+#include "gpu/kernel.hpp"
+#include "image/image.hpp"
+
+namespace fringe::render {
+
+// Rows firstRow.. of the picture, whole ones.
+struct Band {
+    std::uint32_t firstRow;
+    std::uint32_t rowCount;
+    std::span<const image::Pixel> pixels;
+};
+
+struct Control {
+    const std::atomic<bool>& cancelled;      // polled between dispatches, each about 50 ms
+    std::function<void(double)> onProgress;  // share of the work done, 0..1; called after every dispatch
+    std::function<void(const Band&)>
+        onBand;              // in order from the top; after a cancellation once more, with what is there
+    std::uint32_t tile = 0;  // edge of a tile in pixels; 0: as large as one dispatch may last
+};
+
+// Wall-clock milliseconds on the host, from asking to having.
+struct Clocks {
+    double compile = 0.0;  // pipeline and first (empty) dispatch: drivers compile in either
+    double upload = 0.0;
+    double dispatch = 0.0;
+    double readback = 0.0;  // to host memory, and the mean over the samples
+    std::uint64_t dispatches = 0;
+};
+
+class Renderer {
+public:
+    // Keeps a reference to the device. Throws gpu::DeviceError.
+    Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
+             const device::Specialisation& specialisation);
+
+    // The same pixels for every tile size. Returns false if it was cancelled.
+    bool render(const Control& control);
+
+    const Clocks& clocks() const { return clocks_; }
+
+private:
+    class Pass;
+
+    std::span<device::FilmPixel> readFilm(std::uint32_t rows);
+
+    const gpu::Device& device_;
+    device::Frame frame_;
+    Clocks clocks_;
+    std::uint32_t bandRows_;
+    gpu::Buffer scene_;
+    gpu::Buffer film_;
+    std::optional<gpu::Buffer> readback_;  // only where the film's own memory cannot be read quickly
+    std::optional<gpu::Kernel> kernel_;
+};
+
+}  // namespace fringe::render

@@ -1,0 +1,94 @@
+#include "render/scene_buffer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace fringe::render {
+namespace {
+
+class LayoutBuilder {
+public:
+    explicit LayoutBuilder(const gpu::Device& device)
+        : alignment_(std::max(device.limits().minStorageBufferOffsetAlignment,
+                              device.limits().minUniformBufferOffsetAlignment)),
+          largest_(device.limits().maxStorageBufferRange) {}
+
+    void addBlock(const device::SceneBlock& block) {
+        layout_.block = block;
+        add(vk::DescriptorType::eUniformBuffer, nullptr, sizeof block);
+    }
+
+    template <class Element>
+    void addArray(const char* name, const std::vector<Element>& elements) {
+        const vk::DeviceSize size = elements.size() * sizeof(Element);
+        if (size > largest_) {
+            throw gpu::DeviceError(
+                fmt::format("{} {} take {} MiB, but this device binds at most {} MiB at once",
+                            elements.size(), name, size >> 20, largest_ >> 20));
+        }
+        add(vk::DescriptorType::eStorageBuffer, elements.data(), size);
+    }
+
+    // Few elements lie in the block already.
+    template <class Element>
+    void addMany(const char* name, const std::vector<Element>& elements) {
+        static const std::vector<Element> kNone;
+        addArray(name, elements.size() > device::FEW ? elements : kNone);
+    }
+
+    SceneLayout take() { return std::move(layout_); }
+
+private:
+    void add(vk::DescriptorType type, const void* data, vk::DeviceSize size) {
+        const vk::DeviceSize offset = (layout_.size + alignment_ - 1) / alignment_ * alignment_;
+        layout_.ranges.push_back({type, offset, size, data});
+        layout_.size = std::max(layout_.size, offset + size);
+    }
+
+    SceneLayout layout_;
+    vk::DeviceSize alignment_;
+    vk::DeviceSize largest_;
+};
+
+}  // namespace
+
+SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& device) {
+    LayoutBuilder builder(device);
+    builder.addBlock(compile::sceneBlock(scene));
+    builder.addMany("planes", scene.planes);
+    builder.addMany("rectangles", scene.rectangles);
+    builder.addMany("discs", scene.discs);
+    builder.addMany("spheres", scene.spheres);
+    builder.addMany("boxes", scene.boxes);
+    builder.addMany("cylinders", scene.cylinders);
+    builder.addMany("cones", scene.cones);
+    builder.addMany("triangles", scene.triangles);
+    builder.addArray("materials", scene.materials);
+    builder.addArray("apertures", scene.apertures);
+    builder.addArray("lights", scene.lights);
+    builder.addMany("gratings", scene.gratings);
+    return builder.take();
+}
+
+void upload(const SceneLayout& layout, const gpu::Buffer& buffer) {
+    for (const SceneLayout::Range& range : layout.ranges) {
+        const void* data = range.data != nullptr ? range.data : &layout.block;
+        if (range.size > 0) std::memcpy(buffer.mapped().data() + range.offset, data, range.size);
+    }
+}
+
+std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
+                                   const gpu::Buffer& film) {
+    const SceneLayout::Range& block = layout.ranges.front();
+    std::vector<gpu::Binding> result;
+    for (const SceneLayout::Range& range : layout.ranges) {
+        const SceneLayout::Range& place = range.size > 0 ? range : block;
+        result.push_back({range.type, scene.handle(), place.offset, place.size});
+    }
+    result.insert(result.begin() + 1, {vk::DescriptorType::eStorageBuffer, film.handle(), 0, film.size()});
+    return result;
+}
+
+}  // namespace fringe::render

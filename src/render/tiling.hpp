@@ -1,0 +1,58 @@
+// How much work one dispatch gets: grown and shrunk so that a dispatch lasts about 50 ms on any device. Long
+// enough that its overhead does not count, short enough for a cancellation within a second and for the
+// watchdogs of GPUs with a display (about two seconds).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace fringe::render {
+
+class Tiling {
+public:
+    // `fixedEdge` 0: adaptive.
+    Tiling(std::uint32_t width, std::uint32_t height, std::uint32_t samples, std::uint32_t fixedEdge)
+        : width_(width),
+          height_(height),
+          samples_(samples),
+          adaptive_(fixedEdge == 0),
+          tileWidth_(std::min(width, adaptive_ ? kFirstEdge : fixedEdge)),
+          tileHeight_(std::min(height, adaptive_ ? kFirstEdge : fixedEdge)) {}
+
+    std::uint32_t tileWidth() const { return tileWidth_; }
+    std::uint32_t tileHeight() const { return tileHeight_; }
+    std::uint32_t batch() const { return batch_; }  // samples of a pixel in one dispatch
+
+    // Tells how long a full tile took. Sizes may change, so call it only where the next dispatch may start
+    // afresh: between rows of tiles. First the tile grows to the whole width and height, then the batch.
+    void learn(double milliseconds) {
+        if (!adaptive_) return;
+        if (milliseconds < kShort_ms) grow();
+        if (milliseconds > kLong_ms) shrink();
+    }
+
+private:
+    static constexpr std::uint32_t kFirstEdge = 128;
+    static constexpr std::uint32_t kSmallestEdge = 32;
+    static constexpr double kShort_ms = 20.0;
+    static constexpr double kLong_ms = 80.0;
+
+    void grow() {
+        if (tileWidth_ < width_) tileWidth_ = std::min(width_, 2 * tileWidth_);
+        else if (tileHeight_ < height_) tileHeight_ = std::min(height_, 2 * tileHeight_);
+        else batch_ = std::min(samples_, 2 * batch_);
+    }
+
+    void shrink() {
+        if (batch_ > 1) batch_ /= 2;
+        else if (tileHeight_ > kSmallestEdge) tileHeight_ /= 2;
+        else tileWidth_ = std::max(kSmallestEdge, tileWidth_ / 2);
+    }
+
+    std::uint32_t width_, height_, samples_;
+    bool adaptive_;
+    std::uint32_t tileWidth_, tileHeight_;
+    std::uint32_t batch_ = 1;
+};
+
+}  // namespace fringe::render

@@ -1,0 +1,215 @@
+// The scene as a user described it: SI units, double precision, plain values.
+// Invariant: a Scene that `parseScene` returned is valid (unit directions are normalised, lengths are
+// finite and positive, references resolved), so nothing downstream checks it again.
+// Coordinates are metres, right-handed, y up. Colours are linear sRGB.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "units/units.hpp"
+
+namespace fringe::scene {
+
+using glm::dvec3;
+using Rgb = glm::dvec3;  // linear sRGB
+
+// ---- picture and camera -------------------------------------------------------------------------
+
+struct Image {
+    std::uint32_t width = 600;
+    std::uint32_t height = 600;
+    std::uint32_t samples = 1;   // per pixel; one sample goes through the pixel's centre
+    std::uint32_t seed = 0;      // of the sample pattern
+    std::uint32_t maxDepth = 8;  // longest chain of mirror and glass surfaces a path may follow
+    double exposure = 0.0;       // stops; at 0 a value of 1 is display white
+};
+
+struct ThinLens {
+    units::Length diameter;
+    units::Length focusDistance;  // from the lens to the plane in focus, along the optical axis
+};
+
+struct Perspective {
+    units::Angle fov;  // vertical, whole angle
+    std::optional<ThinLens> lens;
+};
+
+struct Orthographic {
+    double height;  // metres of the scene that the picture's height shows
+};
+
+struct Camera {
+    dvec3 position;
+    dvec3 target;
+    dvec3 up;
+    std::variant<Perspective, Orthographic> projection;
+};
+
+// ---- materials ----------------------------------------------------------------------------------
+
+enum class Faults { limit, asPrinted };  // what the thesis's 0/0 becomes: its limit, or a flagged NaN
+
+// N slits of `width`, `period` from centre to centre. Invariant: width <= period where there are several.
+struct Slits {
+    std::uint32_t count;
+    units::Length width;
+    units::Length period;
+};
+
+struct Diffuse {
+    Rgb reflectance;
+};
+
+enum class Metal { aluminium, silver, gold, copper };
+
+struct Conductor {
+    Metal metal;
+};
+
+struct Dielectric {
+    double ior;  // relative to the surroundings, > 0
+};
+
+struct Emissive {
+    units::Radiance radiance;
+    Rgb color;
+    bool twoSided;  // false: only the side that the normal points to
+};
+
+// The compact disc of the thesis as its listing has it (physics: docs/thesis-algorithm.md): the pattern
+// depends on the view ray alone, and a mirror of the stated reflectance lies under it.
+struct ThesisDisc {
+    Slits slits;
+    double mirrorReflectance;
+    Faults faults;
+};
+
+struct Material {
+    std::string name;
+    std::variant<Diffuse, Conductor, Dielectric, Emissive, ThesisDisc> model;
+};
+
+// ---- shapes -------------------------------------------------------------------------------------
+
+struct Plane {
+    dvec3 point;
+    dvec3 normal;  // unit
+};
+
+struct Rectangle {
+    dvec3 center;
+    dvec3 u;  // half edges, perpendicular; the normal is u x v
+    dvec3 v;
+};
+
+struct Disc {
+    dvec3 center;
+    dvec3 normal;  // unit
+    double radius;
+    double innerRadius;  // of the hole; 0 for none
+};
+
+struct Sphere {
+    dvec3 center;
+    double radius;
+};
+
+struct Box {
+    dvec3 center;
+    dvec3 u;  // half edges, mutually perpendicular
+    dvec3 v;
+    dvec3 w;
+};
+
+struct Cylinder {
+    dvec3 base;
+    dvec3 top;
+    double radius;
+    bool capped;
+};
+
+struct Cone {
+    dvec3 base;
+    dvec3 apex;
+    double radius;  // at the base
+    bool capped;
+};
+
+struct Triangle {
+    dvec3 vertices[3];  // counter-clockwise seen from the side the normal points to
+};
+
+using Shape = std::variant<Plane, Rectangle, Disc, Sphere, Box, Cylinder, Cone, Triangle>;
+
+struct Object {
+    std::string name;  // may be empty
+    Shape shape;
+    std::uint32_t material;  // index into Scene::materials
+};
+
+// ---- lights -------------------------------------------------------------------------------------
+
+struct PointLight {
+    dvec3 position;
+    units::Power power;  // radiant intensity is power / 4 pi
+};
+
+// Full intensity inside innerAngle, none outside angle, smoothstep in the cosine between them.
+struct SpotLight {
+    dvec3 position;
+    dvec3 direction;          // unit, the way the light goes
+    units::Angle angle;       // half angle of the whole cone, at most 180 deg
+    units::Angle innerAngle;  // <= angle
+    units::Power power;       // of the whole cone
+};
+
+struct DirectionalLight {
+    dvec3 direction;               // unit, the way the light goes
+    units::Irradiance irradiance;  // on a surface that faces it
+};
+
+// Lambertian: radiance is power / (pi area), from the front alone unless twoSided (then from each side).
+// The emitting surface is visible.
+struct AreaLight {
+    std::variant<Rectangle, Disc, Sphere> shape;
+    units::Power power;  // of one side
+    bool twoSided;
+};
+
+struct EnvironmentLight {
+    units::Radiance radiance;  // from every direction
+};
+
+// A grating as a light: the algorithm of Watson 2009, "Code". See docs/thesis-algorithm.md.
+struct ThesisGrating {
+    dvec3 position;
+    dvec3 normal;         // unit, outgoing
+    dvec3 slitDirection;  // unit, perpendicular to the normal
+    Slits slits;
+    units::Length beamDiameter;
+    units::Power power;  // "wattage": a factor on the value, which is added to the picture directly
+    bool attenuated;     // by the circle, as in figure 17; else full inside the band, as in figure 16
+    Faults faults;
+};
+
+struct Light {
+    std::string name;  // may be empty
+    Rgb color;         // multiplies power, irradiance or radiance
+    std::variant<PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight, ThesisGrating> model;
+};
+
+struct Scene {
+    std::string description;
+    Image image;
+    Camera camera;
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+};
+
+}  // namespace fringe::scene

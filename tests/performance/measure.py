@@ -1,0 +1,122 @@
+"""Measures a built Fringe and prints each ratio beside its goal.
+
+Ratios of two measurements hold on any machine, which absolute times do not. Whatever is compared runs alternately, so
+that a slow moment of the machine hits both, and the median of the paired ratios is reported with their range. Times
+inside the program are its own clocks (render --stats), whole processes are timed by hyperfine, and the driver's shader
+caches are off throughout, so that every run is a first run.
+"""
+
+import argparse
+import dataclasses
+import json
+import os
+import pathlib
+import shlex
+import statistics
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCENE = HERE.parent.parent / "scenes/thesis/figure-24.json"
+EMPTY_SCENE = HERE / "empty.json"
+POVRAY_SCENE = HERE / "cornell.pov"
+ENVIRONMENT = os.environ | {"MESA_SHADER_CACHE_DISABLE": "true", "MESA_GLSL_CACHE_DISABLE": "true"}
+
+CHECK_FAILED = 3  # the exit status that the program, too, uses for a failed check
+
+
+@dataclasses.dataclass
+class Result:
+    what: str
+    values: list[float]  # one per round
+    goal: tuple[float, float]  # least and most that the median may be
+    unit: str = ""
+
+    @property
+    def median(self) -> float:
+        return statistics.median(self.values)
+
+    @property
+    def reached(self) -> bool:
+        return self.goal[0] <= self.median <= self.goal[1]
+
+    def row(self) -> str:
+        least, most = self.goal
+        goal = f"{least:g} to {most:g}" if least > 0 else f"at most {most:g}"
+        spread = f"{min(self.values):.2f} to {max(self.values):.2f}"
+        verdict = "reached" if self.reached else "MISSED"
+        return f"{self.what:<58}{self.median:>8.2f} {self.unit:<4}{spread:>16}   {goal:<14}{verdict}"
+
+
+class Fringe:
+    """A Fringe executable, and the folder its pictures go to."""
+
+    def __init__(self, executable: pathlib.Path, folder: pathlib.Path):
+        self.executable = executable
+        self.folder = folder
+
+    def render_command(self, scene: pathlib.Path, size: int = 600) -> list[str]:
+        sizing = ["--set", f"image.width={size}", "--set", f"image.height={size}"]
+        return [str(self.executable), "render", str(scene), "-o", str(self.folder / "fringe.png"), "--quiet", *sizing]
+
+    def dispatch_ms(self, scene: pathlib.Path, size: int = 600) -> float:
+        stats = self.folder / "stats.json"
+        subprocess.run([*self.render_command(scene, size), "--stats", str(stats)], env=ENVIRONMENT, check=True)
+        return json.loads(stats.read_text())["clocks_ms"]["dispatch"]
+
+    def peak_memory_gib(self, scene: pathlib.Path, size: int) -> float:
+        """Largest resident set of one run, in GiB; on a software driver that includes the device's memory."""
+        process = subprocess.Popen(self.render_command(scene, size), env=ENVIRONMENT)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)  # tells Popen that the process has been waited for
+        if process.returncode != 0:
+            raise subprocess.CalledProcessError(process.returncode, process.args)
+        return usage.ru_maxrss / 2**20  # Linux counts it in KiB
+
+
+def whole_process_ratio(fringe: Fringe) -> float:
+    """Wall time of Fringe over that of POV-Ray on the same geometry with one point light and no diffraction."""
+    report = fringe.folder / "hyperfine.json"
+    povray = ["povray", "+W600", "+H600", "-A", "-D", "+WT2", f"+I{POVRAY_SCENE}", "+Opovray.png"]
+    commands = [shlex.join(command) for command in (fringe.render_command(SCENE), povray)]
+    subprocess.run(
+        ["hyperfine", "--shell=none", "--style=none", "--runs=1", f"--export-json={report}", *commands],
+        cwd=fringe.folder, env=ENVIRONMENT, check=True, stdout=subprocess.DEVNULL)
+    ours, theirs = (result["median"] for result in json.loads(report.read_text())["results"])
+    return ours / theirs
+
+
+def measure(fringe: Fringe, rounds: int) -> list[Result]:
+    whole, dispatch, growth = [], [], []
+    for _ in range(rounds):
+        whole.append(whole_process_ratio(fringe))
+        small = fringe.dispatch_ms(SCENE)
+        dispatch.append(small / fringe.dispatch_ms(EMPTY_SCENE))
+        growth.append(fringe.dispatch_ms(SCENE, 4800) / small / (4800 / 600) ** 2)
+    memory = [fringe.peak_memory_gib(SCENE, 16384)]
+    return [
+        Result("whole process, figure 24: Fringe / POV-Ray", whole, (0, 0.5)),
+        Result("dispatch: figure 24 / smallest shader", dispatch, (0, 20)),
+        Result("dispatch per pixel, figure 24: 4800x4800 / 600x600", growth, (0.85, 1.15)),
+        Result("peak host memory, figure 24 at 16384x16384", memory, (0, 1.5), "GiB"),
+    ]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="tests/performance/run", description=__doc__)
+    parser.add_argument("executable", type=pathlib.Path, help=argparse.SUPPRESS)
+    parser.add_argument("--rounds", type=int, default=7, help="measurements per ratio (default %(default)s)")
+    parser.add_argument("--check", action="store_true", help=f"exit with {CHECK_FAILED} when a goal is missed")
+    options = parser.parse_args()
+
+    with tempfile.TemporaryDirectory(prefix="fringe-performance-") as folder:
+        results = measure(Fringe(options.executable, pathlib.Path(folder)), options.rounds)
+    print(f"{'ratio':<58}{'median':>8}     {'range':>16}   goal")
+    for result in results:
+        print(result.row())
+    return CHECK_FAILED if options.check and not all(result.reached for result in results) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -8,7 +8,7 @@ FRINGE_SPECIALISATION(DECLARE)
 #undef DECLARE
 
 layout(scalar, set = 0, binding = 0) uniform Scene { SceneBlock scene; };
-layout(scalar, set = 0, binding = 1) buffer FilmBlock { FilmPixel film[]; };
+layout(scalar, set = 0, binding = 1) buffer FilmBlock { uint firstRow; FilmPixel film[]; };  // rows firstRow.. of the picture
 layout(scalar, set = 0, binding = 2) readonly buffer PlaneBlock { Plane planes[]; };
 layout(scalar, set = 0, binding = 3) readonly buffer RectangleBlock { Rectangle rectangles[]; };
 layout(scalar, set = 0, binding = 4) readonly buffer DiscBlock { Disc discs[]; };
@@ -18,44 +18,35 @@ layout(scalar, set = 0, binding = 7) readonly buffer CylinderBlock { Cylinder cy
 layout(scalar, set = 0, binding = 8) readonly buffer ConeBlock { Cone cones[]; };
 layout(scalar, set = 0, binding = 9) readonly buffer TriangleBlock { Triangle triangles[]; };
 layout(scalar, set = 0, binding = 10) readonly buffer MaterialBlock { Material materials[]; };
-layout(scalar, set = 0, binding = 11) readonly buffer ApertureBlock { ThesisAperture apertures[]; };
-layout(scalar, set = 0, binding = 12) readonly buffer LightBlock { Light lights[]; };
-layout(scalar, set = 0, binding = 13) readonly buffer GratingBlock { ThesisGrating gratings[]; };
+layout(scalar, set = 0, binding = 11) readonly buffer LightBlock { Light lights[]; };
+layout(scalar, set = 0, binding = 12) readonly buffer GratingBlock { ThesisGrating gratings[]; };
 
-// Element i of a kind, from where it lies.
-Plane planeAt(uint i) {
-    if (PLANE_COUNT <= FEW) return scene.planes[i];
-    return planes[i];
-}
-Rectangle rectangleAt(uint i) {
-    if (RECTANGLE_COUNT <= FEW) return scene.rectangles[i];
-    return rectangles[i];
-}
-Disc discAt(uint i) {
-    if (DISC_COUNT <= FEW) return scene.discs[i];
-    return discs[i];
-}
-Sphere sphereAt(uint i) {
-    if (SPHERE_COUNT <= FEW) return scene.spheres[i];
-    return spheres[i];
-}
-Box boxAt(uint i) {
-    if (BOX_COUNT <= FEW) return scene.boxes[i];
-    return boxes[i];
-}
-Cylinder cylinderAt(uint i) {
-    if (CYLINDER_COUNT <= FEW) return scene.cylinders[i];
-    return cylinders[i];
-}
-Cone coneAt(uint i) {
-    if (CONE_COUNT <= FEW) return scene.cones[i];
-    return cones[i];
-}
-Triangle triangleAt(uint i) {
-    if (TRIANGLE_COUNT <= FEW) return scene.triangles[i];
-    return triangles[i];
-}
-ThesisGrating gratingAt(uint i) {
-    if (GRATING_COUNT <= FEW) return scene.gratings[i];
-    return gratings[i];
-}
+// TypeAt(i): element i of a kind, from where it lies. Among few it is selected, not addressed: i mostly differs from
+// invocation to invocation, and an address that does is loaded lane by lane on a CPU.
+#define ELEMENT_AT(TYPE, FUNCTION, COUNT, ARRAY)                  \
+    TYPE FUNCTION(uint i) {                                       \
+        if (COUNT > FEW) return ARRAY[i];                         \
+        TYPE element = scene.ARRAY[0];                            \
+        [[unroll]] for (uint j = 1u; j < COUNT; ++j) {            \
+            if (i == j) element = scene.ARRAY[j];                 \
+        }                                                         \
+        return element;                                           \
+    }
+ELEMENT_AT(Plane, planeAt, PLANE_COUNT, planes)
+ELEMENT_AT(Rectangle, rectangleAt, RECTANGLE_COUNT, rectangles)
+ELEMENT_AT(Disc, discAt, DISC_COUNT, discs)
+ELEMENT_AT(Sphere, sphereAt, SPHERE_COUNT, spheres)
+ELEMENT_AT(Box, boxAt, BOX_COUNT, boxes)
+ELEMENT_AT(Cylinder, cylinderAt, CYLINDER_COUNT, cylinders)
+ELEMENT_AT(Cone, coneAt, CONE_COUNT, cones)
+ELEMENT_AT(Triangle, triangleAt, TRIANGLE_COUNT, triangles)
+ELEMENT_AT(Material, materialAt, MATERIAL_COUNT, materials)
+ELEMENT_AT(Light, lightAt, LIGHT_COUNT, lights)
+ELEMENT_AT(ThesisGrating, gratingAt, GRATING_COUNT, gratings)
+
+// The same value, but not to be seen as a uniform. Use it wherever a value of the scene block alone decides an if: for
+// such values lavapipe 22.3 may compile the shader again at every dispatch (half a second each).
+uint decided(uint value) { return value ^ (gl_NumWorkGroups.x >> 31); }
+
+uint lightCount() { return LIGHT_COUNT <= FEW ? LIGHT_COUNT : uint(lights.length()); }
+uint gratingCount() { return GRATING_COUNT <= FEW ? GRATING_COUNT : uint(gratings.length()); }

@@ -10,7 +10,8 @@ Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
         origin += onPlane;
         direction = camera.forward;
     } else if (HAS_LENS != 0u) {
-        vec2 onLens = sampleRing(samplePair(pixelSeed, sampleIndex, 1u), 0.0);
+        vec2 random = HAS_SEVERAL_SAMPLES != 0u ? samplePair(pixelSeed, sampleIndex, 1u) : vec2(0.5);
+        vec2 onLens = sampleRing(random, 0.0);
         vec3 fromCentre = onLens.x * camera.lensRight + onLens.y * camera.lensUp;
         origin += fromCentre;
         direction = normalize((camera.forward + onPlane) * camera.focusDistance - fromCentre);

@@ -12,43 +12,20 @@ struct Camera {
     float focusDistance;
 };
 
-// What every invocation reads: camera, picture and how many of each thing there are.
+// What every invocation reads. How many there are of each thing is in the pipeline constants, or in the length of its
+// storage buffer: lavapipe compiles a shader again for each new value of a uniform that bounds a loop or decides an if.
+// For the same reason nothing that changes from dispatch to dispatch is a uniform or a push constant: the place in the
+// picture and the sample's index come in as the dispatch's first workgroup.
 struct Frame {
     Camera camera;
     uint width;
     uint height;
-    uint samples;
+    uint filmWidth;      // the picture's, rounded up to whole workgroups; the shader never asks where the picture ends
     uint seed;
-    uint maxDepth;
     vec3 environment;    // radiance
-    uint planes;
-    uint rectangles;
-    uint discs;
-    uint spheres;
-    uint boxes;
-    uint cylinders;
-    uint cones;
-    uint triangles;
-    uint lights;
-    uint gratings;
-    uint planeCasters;      // the first so many can throw shadows; of the other kinds all
-    uint rectangleCasters;
-    uint discCasters;
-    uint triangleCasters;
 };
 
-// The part of the picture that one dispatch works on. The film holds rows firstRow.. of the picture.
-struct Tile {
-    uint x;
-    uint y;              // in the picture
-    uint width;
-    uint height;
-    uint firstRow;
-    uint firstSample;
-    uint sampleCount;
-};
-
-// Running sum over the samples taken so far; the count is in the low 31 bits of state, and NON_FINITE is
+// Running sum over the samples taken so far, zero at first; the count is in the low 31 bits of state, and NON_FINITE is
 // set once any sample was 0/0 by a formula that the scene asked for as printed.
 struct FilmPixel {
     vec3 sum;
@@ -116,6 +93,14 @@ struct Triangle {
     uint material;
 };
 
+// Slits of the thesis's model; reciprocal wavelengths as printed live in thesis.glsl.
+struct ThesisAperture {
+    float width_um;
+    float period_um;
+    uint count;
+    uint asPrinted;      // 1: leave 0/0 in, flagged
+};
+
 const uint DIFFUSE = 0u;
 const uint CONDUCTOR = 1u;
 const uint DIELECTRIC = 2u;
@@ -127,7 +112,7 @@ struct Material {
     uint kind;
     vec3 color;          // reflectance | n | ior in x | radiance | pattern colour
     vec3 second;         // - | k | - | x: 1 if two-sided | x: mirror reflectance
-    uint aperture;       // THESIS_DISC: index into apertures
+    ThesisAperture aperture;  // THESIS_DISC
 };
 
 const uint POINT_LIGHT = 0u;
@@ -153,14 +138,6 @@ struct Light {
     uint twoSided;
 };
 
-// Slits of the thesis's model; reciprocal wavelengths as printed live in thesis.glsl.
-struct ThesisAperture {
-    float width_um;
-    float period_um;
-    uint count;
-    uint asPrinted;      // 1: leave 0/0 in, flagged
-};
-
 struct ThesisGrating {
     vec3 position;
     vec3 normal;
@@ -173,6 +150,8 @@ struct ThesisGrating {
 };
 
 const uint NON_FINITE = 0x80000000u;
+
+const uint GROUP_EDGE = 8u;   // a workgroup is GROUP_EDGE x GROUP_EDGE pixels
 
 // Up to FEW of a kind lie in the uniform block, where the shader's loops over them are unrolled and every load has a
 // constant address; more go through storage buffers and ordinary loops. On lavapipe a load whose address is no
@@ -189,5 +168,7 @@ struct SceneBlock {
     Cylinder cylinders[FEW];
     Cone cones[FEW];
     Triangle triangles[FEW];
+    Material materials[FEW];
+    Light lights[FEW];
     ThesisGrating gratings[FEW];
 };

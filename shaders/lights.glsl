@@ -7,11 +7,17 @@ struct Incident {
     vec3 irradiance;   // 0 where the light does not reach
 };
 
-// A point uniform on the unit disc (or the ring from sqrt(innerRatioSquared) to 1).
+// A point uniform on the unit disc, or on the ring from sqrt(innerRatioSquared) to 1. Concentric (P. Shirley and
+// K. Chiu, "A Low Distortion Map Between Disk and Square", J. Graphics Tools 2(3), 1997), so that a single sample in
+// the middle of the square is the middle of the disc.
 vec2 sampleRing(vec2 random, float innerRatioSquared) {
-    float radius = sqrt(mix(innerRatioSquared, 1.0, random.x));
-    float angle = 6.28318531 * random.y;
-    return radius * vec2(cos(angle), sin(angle));
+    vec2 p = 2.0 * random - 1.0;
+    bool wide = abs(p.x) > abs(p.y);
+    float radius = wide ? p.x : p.y;
+    float ratio = radius != 0.0 ? (wide ? p.y : p.x) / radius : 0.0;
+    float angle = 0.785398163 * ratio;
+    float onRing = sign(radius) * sqrt(mix(innerRatioSquared, 1.0, radius * radius));
+    return onRing * (wide ? vec2(cos(angle), sin(angle)) : vec2(sin(angle), cos(angle)));
 }
 
 // Two unit vectors that complete `n` to a frame (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017).
@@ -45,7 +51,7 @@ Incident fromFlatArea(Light light, vec3 point, vec3 offset, vec3 normal) {
     float squared = dot(toPoint, toPoint);
     vec3 direction = toPoint * inversesqrt(squared);
     float cosine = -dot(direction, light.direction);
-    if (light.twoSided != 0u) cosine = abs(cosine);
+    if (decided(light.twoSided) != 0u) cosine = abs(cosine);
     vec3 irradiance = light.emission * (max(cosine, 0.0) * max(dot(direction, normal), 0.0) * light.area / squared);
     return Incident(direction, sqrt(squared), irradiance);
 }
@@ -79,7 +85,7 @@ Incident fromSphere(Light light, vec3 offset, vec3 normal, vec2 random) {
         float distanceSquared = dot(toPoint, toPoint);
         direction = toPoint * inversesqrt(distanceSquared);
         distance_ = sqrt(distanceSquared);
-        float inside = light.twoSided != 0u ? abs(dot(direction, outward)) : 0.0;
+        float inside = decided(light.twoSided) != 0u ? abs(dot(direction, outward)) : 0.0;
         irradiance = light.emission *
                      (inside * max(dot(direction, normal), 0.0) * 12.5663706 * radiusSquared / distanceSquared);
     }
@@ -97,18 +103,18 @@ Incident fromEnvironment(vec3 radiance, vec3 normal, vec2 random) {
 
 Incident incidentLight(Light light, vec3 position, vec3 normal, vec2 random) {
     vec3 offset = light.position - position;
-    if (HAS_POINT_LIGHTS != 0u && light.kind == POINT_LIGHT) return fromPoint(light.emission, offset, normal);
-    if (HAS_SPOT_LIGHTS != 0u && light.kind == SPOT_LIGHT) return fromSpot(light, offset, normal);
-    if (HAS_DIRECTIONAL_LIGHTS != 0u && light.kind == DIRECTIONAL_LIGHT) {
+    if (HAS_POINT_LIGHTS != 0u && decided(light.kind) == POINT_LIGHT) return fromPoint(light.emission, offset, normal);
+    if (HAS_SPOT_LIGHTS != 0u && decided(light.kind) == SPOT_LIGHT) return fromSpot(light, offset, normal);
+    if (HAS_DIRECTIONAL_LIGHTS != 0u && decided(light.kind) == DIRECTIONAL_LIGHT) {
         return Incident(-light.direction, INFINITY, light.emission * max(-dot(light.direction, normal), 0.0));
     }
-    if (HAS_RECTANGLE_LIGHTS != 0u && light.kind == RECTANGLE_LIGHT) {
+    if (HAS_RECTANGLE_LIGHTS != 0u && decided(light.kind) == RECTANGLE_LIGHT) {
         return fromFlatArea(light, (2.0 * random.x - 1.0) * light.u + (2.0 * random.y - 1.0) * light.v, offset, normal);
     }
-    if (HAS_DISC_LIGHTS != 0u && light.kind == DISC_LIGHT) {
+    if (HAS_DISC_LIGHTS != 0u && decided(light.kind) == DISC_LIGHT) {
         vec2 ring = sampleRing(random, light.innerRatioSquared);
         return fromFlatArea(light, ring.x * light.u + ring.y * light.v, offset, normal);
     }
-    if (HAS_SPHERE_LIGHTS != 0u && light.kind == SPHERE_LIGHT) return fromSphere(light, offset, normal, random);
+    if (HAS_SPHERE_LIGHTS != 0u && decided(light.kind) == SPHERE_LIGHT) return fromSphere(light, offset, normal, random);
     return fromEnvironment(light.emission, normal, random);
 }

@@ -25,21 +25,18 @@ struct Sample {
 // This loop is cheap and the same for all invocations, the one over the bits is costly and runs as often as the
 // invocation with most bits needs: SIMD drivers execute both sides of an `if`, but leave a loop when all are done.
 uint candidates(uint first, vec3 position) {
+    uint lightsHere = lightCount();
     uint bits = 0u;
-    uint last = min(scene.frame.lights + scene.frame.gratings, first + 32u);
-    if (LIGHT_COUNT > 0u) {
-        for (uint i = first; i < min(last, scene.frame.lights); ++i) bits |= 1u << (i - first);
-    }
-    if (GRATING_COUNT > 0u) {
-        uint base = max(first, scene.frame.lights);
-        if (GRATING_COUNT <= FEW && LIGHT_COUNT <= FEW) {
-            [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
-                if (reachesBand(gratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + i);
-            }
-        } else {
-            for (uint i = base; i < last; ++i) {
-                if (reachesBand(gratingAt(i - scene.frame.lights), position)) bits |= 1u << (i - first);
-            }
+    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW) {          // all in the first 32, at constant places
+        bits = (1u << LIGHT_COUNT) - 1u;
+        [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
+            if (reachesBand(gratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + i);
+        }
+    } else {
+        uint last = min(lightsHere + gratingCount(), first + 32u);
+        for (uint i = first; i < min(last, lightsHere); ++i) bits |= 1u << (i - first);
+        for (uint i = max(first, lightsHere); i < last; ++i) {
+            if (reachesBand(gratingAt(i - lightsHere), position)) bits |= 1u << (i - first);
         }
     }
     return bits;
@@ -53,8 +50,8 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, 
     float distance_;
     vec3 value;
     bool nonFinite = false;
-    if (GRATING_COUNT > 0u && i >= scene.frame.lights) {
-        ThesisGrating grating = gratingAt(i - scene.frame.lights);
+    if (GRATING_COUNT > 0u && i >= lightCount()) {
+        ThesisGrating grating = gratingAt(i - lightCount());
         vec3 offset = surface.position - grating.position;
         value = thesisGratingValue(grating, offset, nonFinite);
         distance_ = length(offset);
@@ -64,7 +61,7 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, 
         if (HAS_SEVERAL_SAMPLES != 0u) {
             random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
         }
-        Incident incident = incidentLight(lights[i], surface.position, normal, random);
+        Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
         value = brdf * incident.irradiance;
         distance_ = incident.distance;
         direction = incident.direction;
@@ -81,18 +78,18 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, 
 void addDirectLight(Surface surface, vec3 normal, float travelled, vec3 reflectance, vec3 throughput,
                     inout Sample sample_) {
     if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u) return;
-    uint count = scene.frame.lights + scene.frame.gratings;
+    uint count = lightCount() + gratingCount();
     for (uint first = 0u; first < count; first += 32u) {
         for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
             addLight(first + uint(findLSB(bits)), surface, normal, travelled, reflectance * 0.318309886, throughput,
                      sample_);
         }
     }
-    sample_.dimension += scene.frame.lights;
+    sample_.dimension += lightCount();
 }
 
 void tracePath(Path path, inout Sample sample_) {
-    Path waiting[STACK_SIZE];
+    Path waiting[MAX_DEPTH + 1u];
     uint waitingCount = 0u;
 
     for (;;) {
@@ -102,16 +99,17 @@ void tracePath(Path path, inout Sample sample_) {
             if (HAS_ENVIRONMENT != 0u) sample_.radiance += path.throughput * scene.frame.environment;
         } else {
             Surface surface = surfaceAt(hit, path.origin, path.direction);
-            Material material = materials[surface.material];
+            Material material = materialAt(surface.material);
+            uint kind = decided(material.kind);
             float facing = dot(path.direction, surface.normal);
             vec3 normal = facing < 0.0 ? surface.normal : -surface.normal;   // towards the eye
 
-            if (HAS_DIFFUSE != 0u && material.kind == DIFFUSE) {
+            if (HAS_DIFFUSE != 0u && kind == DIFFUSE) {
                 addDirectLight(surface, normal, hit.t, material.color, path.throughput, sample_);
-            } else if (HAS_EMITTERS != 0u && material.kind == EMISSIVE) {
-                if (facing < 0.0 || material.second.x != 0.0) sample_.radiance += path.throughput * material.color;
-            } else if (HAS_DIELECTRICS != 0u && material.kind == DIELECTRIC) {
-                alive = path.depth < scene.frame.maxDepth;
+            } else if (HAS_EMITTERS != 0u && kind == EMISSIVE) {
+                if (facing < 0.0 || decided(floatBitsToUint(material.second.x)) != 0u) sample_.radiance += path.throughput * material.color;
+            } else if (HAS_DIELECTRICS != 0u && kind == DIELECTRIC) {
+                alive = path.depth < MAX_DEPTH;
                 if (alive) {
                     float eta = facing < 0.0 ? material.color.x : 1.0 / material.color.x;
                     float cosTransmitted;
@@ -134,9 +132,9 @@ void tracePath(Path path, inout Sample sample_) {
                 }
             } else if (HAS_CONDUCTORS != 0u || HAS_THESIS_DISCS != 0u) {
                 vec3 reflectance;
-                if (HAS_THESIS_DISCS != 0u && material.kind == THESIS_DISC) {
+                if (HAS_THESIS_DISCS != 0u && kind == THESIS_DISC) {
                     bool nonFinite = false;
-                    vec3 pattern = thesisDiscValue(apertures[material.aperture], surface.local, surface.normal,
+                    vec3 pattern = thesisDiscValue(material.aperture, surface.local, surface.normal,
                                                    path.direction, nonFinite);
                     sample_.radiance += path.throughput * material.color * pattern;
                     sample_.nonFinite = sample_.nonFinite || nonFinite;
@@ -144,7 +142,7 @@ void tracePath(Path path, inout Sample sample_) {
                 } else {
                     reflectance = fresnelConductor(abs(facing), material.color, material.second);
                 }
-                alive = path.depth < scene.frame.maxDepth;
+                alive = path.depth < MAX_DEPTH;
                 path.direction += 2.0 * abs(facing) * normal;
                 path.direction = normalize(path.direction);
                 path.origin = leave(surface.position, normal, hit.t);

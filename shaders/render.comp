@@ -1,12 +1,11 @@
-// The renderer: one invocation takes `sampleCount` samples of one pixel and adds them to the film, in order, so that
-// the sum does not depend on how the samples were split into dispatches.
+// The renderer: one invocation takes one sample of one pixel and adds it to the film. Samples are dispatched in their
+// order, so the sum depends neither on tiles nor on batches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
 #include "bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(push_constant, scalar) uniform TileBlock { Tile tile; };
 
 #include "sampler.glsl"
 #include "phase.glsl"
@@ -19,23 +18,20 @@ layout(push_constant, scalar) uniform TileBlock { Tile tile; };
 #include "camera.glsl"
 
 void main() {
-    if (gl_GlobalInvocationID.x >= tile.width || gl_GlobalInvocationID.y >= tile.height) return;
-    uint x = tile.x + gl_GlobalInvocationID.x;
-    uint y = tile.y + gl_GlobalInvocationID.y;
-    uint pixel = (y - tile.firstRow) * scene.frame.width + x;
+    uint x = gl_GlobalInvocationID.x;
+    uint y = firstRow + gl_GlobalInvocationID.y;
+    uint sampleIndex = gl_WorkGroupID.z;
+    uint pixel = gl_GlobalInvocationID.y * scene.frame.filmWidth + x;
     uint pixelSeed = hashMix(hashCombine(hashMix(y * scene.frame.width + x), scene.frame.seed));
 
-    FilmPixel result = FilmPixel(vec3(0.0), 0u);
-    if (tile.firstSample != 0u) result = film[pixel];
-    for (uint i = 0u; i < tile.sampleCount; ++i) {
-        uint index = tile.firstSample + i;
-        vec2 within = vec2(0.5);
-        if (HAS_SEVERAL_SAMPLES != 0u) within = samplePair(pixelSeed, index, 0u);
-        Sample sample_ = Sample(vec3(0.0), false, pixelSeed, index, 2u);
-        tracePath(cameraRay(vec2(x, y) + within, pixelSeed, index), sample_);
-        result.sum += sample_.radiance;
-        if (sample_.nonFinite) result.state |= NON_FINITE;
-    }
-    result.state += tile.sampleCount;
+    vec2 within = vec2(0.5);
+    if (HAS_SEVERAL_SAMPLES != 0u) within = samplePair(pixelSeed, sampleIndex, 0u);
+    Sample sample_ = Sample(vec3(0.0), false, pixelSeed, sampleIndex, 2u);
+    tracePath(cameraRay(vec2(x, y) + within, pixelSeed, sampleIndex), sample_);
+
+    FilmPixel result = film[pixel];
+    result.sum += sample_.radiance;
+    result.state += 1u;
+    if (sample_.nonFinite) result.state |= NON_FINITE;
     film[pixel] = result;
 }

@@ -89,7 +89,7 @@ float hitCylinder(Cylinder cylinder, vec3 o, vec3 d) {
             t = firstAhead(near, far);
         }
     }
-    if (cylinder.capped != 0u && dz != 0.0) {
+    if (decided(cylinder.capped) != 0u && dz != 0.0) {
         float bottom = -oz / dz;
         float top = (cylinder.height - oz) / dz;
         vec3 atBottom = or + bottom * dr;
@@ -127,7 +127,7 @@ float hitCone(Cone cone, vec3 o, vec3 d) {
         second = zSecond >= 0.0 && zSecond <= cone.height ? second + shift : NO_HIT;
         t = nearer(first, second);
     }
-    if (cone.capped != 0u && dz != 0.0) {
+    if (decided(cone.capped) != 0u && dz != 0.0) {
         float cap = (cone.height - oz) / dz;
         vec3 atCap = or + cap * dr;
         if (dot(atCap, atCap) <= k * cone.height * cone.height) t = nearer(cap + shift, t);

@@ -28,8 +28,9 @@
     X(23, IS_ORTHOGRAPHIC)        \
     X(24, HAS_LENS)               \
     X(25, HAS_SEVERAL_SAMPLES)    \
-    X(26, STACK_SIZE)             \
+    X(26, MAX_DEPTH)              \
     X(27, PLANE_CASTERS)          \
     X(28, RECTANGLE_CASTERS)      \
     X(29, DISC_CASTERS)           \
-    X(30, TRIANGLE_CASTERS)
+    X(30, TRIANGLE_CASTERS)       \
+    X(31, MATERIAL_COUNT)

@@ -11,7 +11,7 @@ vec3 thesisIntensity(float sinTheta, ThesisAperture aperture) {
     for (int channel = 0; channel < 3; ++channel) {
         float perTurn = sinTheta * PRINTED_WAVENUMBER_per_um[channel];
         float value = slitFactor(perTurn * aperture.width_um);
-        if (aperture.count > 1u) value *= arrayFactor(perTurn * aperture.period_um, float(aperture.count));
+        if (decided(aperture.count) > 1u) value *= arrayFactor(perTurn * aperture.period_um, float(aperture.count));
         intensity[channel] = min(value, 1.0);
     }
     return intensity;
@@ -46,7 +46,7 @@ vec3 thesisGratingValue(ThesisGrating grating, vec3 offset, inout bool nonFinite
     float height = dot(offset, grating.slitDirection);   // the listing's splinedistance
     float across = abs(dot(offset, grating.across));
     float sinTheta;
-    if (HAS_PRINTED_FAULTS != 0u && grating.aperture.asPrinted != 0u) {
+    if (HAS_PRINTED_FAULTS != 0u && decided(grating.aperture.asPrinted) != 0u) {
         float perLength = inversesqrt(dot(offset, offset));
         sinTheta = sinFromNormalAsPrinted(across * perLength, along * perLength, grating.across, grating.normal, nonFinite);
     } else {
@@ -65,7 +65,7 @@ vec3 thesisDiscValue(ThesisAperture aperture, vec3 local, vec3 normal, vec3 view
     float across = abs(dot(view, x));
     float along = abs(dot(view, normal));
     float sinTheta;
-    if (HAS_PRINTED_FAULTS != 0u && aperture.asPrinted != 0u) {
+    if (HAS_PRINTED_FAULTS != 0u && decided(aperture.asPrinted) != 0u) {
         sinTheta = sinFromNormalAsPrinted(across, along, x, normal, nonFinite);
     } else {
         sinTheta = sinFromNormal(across, along);

@@ -26,30 +26,29 @@ struct Surface {
     uint material;
 };
 
-// BODY for the first FIRST_FEW of a kind that has COUNT: unrolled where there are few, a loop to FIRST where there are
-// many.
-#define FOR_EACH(COUNT, FIRST_FEW, FIRST, BODY)                       \
-    if (COUNT <= FEW) {                                               \
-        [[unroll]] for (uint i = 0u; i < FIRST_FEW; ++i) { BODY }     \
-    } else {                                                          \
-        for (uint i = 0u; i < FIRST; ++i) { BODY }                    \
+// BODY for the first LAST of a kind that has COUNT: unrolled where there are few, a loop over all where there are many.
+#define FOR_EACH(COUNT, LAST, ARRAY, BODY)                                 \
+    if (COUNT <= FEW) {                                                    \
+        [[unroll]] for (uint i = 0u; i < LAST; ++i) { BODY }               \
+    } else {                                                               \
+        for (uint i = 0u; i < uint(ARRAY.length()); ++i) { BODY }          \
     }
 
-// DO(kind, how many, how many cast shadows, both again as fields of the frame, distance to element i) for every kind.
-#define FOR_EACH_KIND(DO) \
-    DO(PLANE, PLANE_COUNT, PLANE_CASTERS, planes, planeCasters, hitPlane(planeAt(i), o, d))                             \
-    DO(RECTANGLE, RECTANGLE_COUNT, RECTANGLE_CASTERS, rectangles, rectangleCasters, hitRectangle(rectangleAt(i), o, d)) \
-    DO(DISC, DISC_COUNT, DISC_CASTERS, discs, discCasters, hitDisc(discAt(i), o, d))                                    \
-    DO(SPHERE, SPHERE_COUNT, SPHERE_COUNT, spheres, spheres, hitSphere(sphereAt(i), o, d))                              \
-    DO(BOX, BOX_COUNT, BOX_COUNT, boxes, boxes, hitBox(boxAt(i), o, d))                                                 \
-    DO(CYLINDER, CYLINDER_COUNT, CYLINDER_COUNT, cylinders, cylinders, hitCylinder(cylinderAt(i), o, d))                \
-    DO(CONE, CONE_COUNT, CONE_COUNT, cones, cones, hitCone(coneAt(i), o, d))                                            \
-    DO(TRIANGLE, TRIANGLE_COUNT, TRIANGLE_CASTERS, triangles, triangleCasters, hitTriangle(triangleAt(i), o, d))
+// DO(kind, how many, how many cast shadows, array, distance to element i) for every kind.
+#define FOR_EACH_KIND(DO)                                                                             \
+    DO(PLANE, PLANE_COUNT, PLANE_CASTERS, planes, hitPlane(planeAt(i), o, d))                         \
+    DO(RECTANGLE, RECTANGLE_COUNT, RECTANGLE_CASTERS, rectangles, hitRectangle(rectangleAt(i), o, d)) \
+    DO(DISC, DISC_COUNT, DISC_CASTERS, discs, hitDisc(discAt(i), o, d))                               \
+    DO(SPHERE, SPHERE_COUNT, SPHERE_COUNT, spheres, hitSphere(sphereAt(i), o, d))                     \
+    DO(BOX, BOX_COUNT, BOX_COUNT, boxes, hitBox(boxAt(i), o, d))                                      \
+    DO(CYLINDER, CYLINDER_COUNT, CYLINDER_COUNT, cylinders, hitCylinder(cylinderAt(i), o, d))         \
+    DO(CONE, CONE_COUNT, CONE_COUNT, cones, hitCone(coneAt(i), o, d))                                 \
+    DO(TRIANGLE, TRIANGLE_COUNT, TRIANGLE_CASTERS, triangles, hitTriangle(triangleAt(i), o, d))
 
 Hit nearestHit(vec3 o, vec3 d) {
     Hit hit = Hit(INFINITY, NOTHING, 0u);
-#define KEEP_NEAREST(KIND, COUNT, CASTERS, TOTAL, TOTAL_CASTERS, DISTANCE) \
-    FOR_EACH(COUNT, COUNT, scene.frame.TOTAL, float t = DISTANCE; if (t > 0.0 && t < hit.t) hit = Hit(t, KIND, i);)
+#define KEEP_NEAREST(KIND, COUNT, CASTERS, ARRAY, DISTANCE) \
+    FOR_EACH(COUNT, COUNT, ARRAY, float t = DISTANCE; if (t > 0.0 && t < hit.t) hit = Hit(t, KIND, i);)
     FOR_EACH_KIND(KEEP_NEAREST)
     return hit;
 }
@@ -57,8 +56,8 @@ Hit nearestHit(vec3 o, vec3 d) {
 // Whether anything lies between o and the point at distance tMax.
 bool occluded(vec3 o, vec3 d, float tMax) {
     bool blocked = false;
-#define NOTE_BLOCKER(KIND, COUNT, CASTERS, TOTAL, TOTAL_CASTERS, DISTANCE) \
-    FOR_EACH(COUNT, CASTERS, scene.frame.TOTAL_CASTERS, float t = DISTANCE; blocked = blocked || (t > 0.0 && t < tMax);)
+#define NOTE_BLOCKER(KIND, COUNT, CASTERS, ARRAY, DISTANCE) \
+    FOR_EACH(COUNT, CASTERS, ARRAY, float t = DISTANCE; blocked = blocked || (t > 0.0 && t < tMax);)
     FOR_EACH_KIND(NOTE_BLOCKER)
     return blocked;
 }
@@ -83,7 +82,7 @@ vec3 cylinderNormal(Cylinder cylinder, vec3 local) {
     float z = dot(local, cylinder.axis);
     vec3 radial = local - z * cylinder.axis;
     float fromEnd = min(abs(z), abs(cylinder.height - z));
-    if (cylinder.capped != 0u && fromEnd < abs(cylinder.radius - length(radial))) {
+    if (decided(cylinder.capped) != 0u && fromEnd < abs(cylinder.radius - length(radial))) {
         return z > 0.5 * cylinder.height ? cylinder.axis : -cylinder.axis;
     }
     return normalize(radial);
@@ -94,7 +93,7 @@ vec3 coneNormal(Cone cone, vec3 local) {
     float z = dot(local, cone.axis);
     vec3 radial = local - z * cone.axis;
     float r = length(radial);
-    if (cone.capped != 0u && abs(cone.height - z) < abs(cone.slope * z - r)) return cone.axis;
+    if (decided(cone.capped) != 0u && abs(cone.height - z) < abs(cone.slope * z - r)) return cone.axis;
     return normalize((r > 0.0 ? radial / r : vec3(0.0)) - cone.slope * cone.axis);
 }
 

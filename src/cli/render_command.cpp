@@ -49,6 +49,7 @@ double millisecondsSince(Clock::time_point start) {
 struct Report {
     std::string renderer;  // the device, or the reference
     std::string driver;
+    std::vector<std::string> outputs;  // the files written
     double parse_ms = 0.0;
     double startUp_ms = 0.0;
     render::Clocks clocks;
@@ -98,21 +99,26 @@ image::OutputOptions outputOptions(const RenderOptions& options, const scene::Sc
 using BandSink = std::function<void(std::span<const image::Pixel>)>;
 using ProgressSink = std::function<void(double)>;
 
-// False when interrupted; `sink` then got what was done of the last band.
+// False when interrupted; `sink` then got the bands that are complete. A band has as many rows as take about
+// 100 ms, so that progress shows and little is lost.
 bool renderReference(const oracle::Reference& reference, const scene::Image& image, const BandSink& sink,
                      const ProgressSink& progress, Report& report) {
-    constexpr std::uint32_t kRows = 16;  // a band short enough to show progress
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     std::vector<image::Pixel> pixels;
-    for (std::uint32_t row = 0; row < image.height; row += kRows) {
-        const std::uint32_t rows = std::min(kRows, image.height - row);
+    std::uint32_t rows = 1;
+    for (std::uint32_t row = 0; row < image.height;) {
+        rows = std::min(rows, image.height - row);
         pixels.assign(std::size_t{rows} * image.width, {});
         const auto start = Clock::now();
         const bool complete = reference.render(row, rows, pixels, threads, interrupted());
-        report.clocks.dispatch += millisecondsSince(start);
+        const double spent_ms = millisecondsSince(start);
+        report.clocks.dispatch += spent_ms;
         if (!complete) return false;
         sink(pixels);
-        progress(double{1.0} * (row + rows) / image.height);
+        row += rows;
+        progress(double{1.0} * row / image.height);
+        if (spent_ms < 50.0) rows *= 2;
+        if (spent_ms > 200.0) rows = std::max(1U, rows / 2);
     }
     return true;
 }
@@ -148,7 +154,8 @@ double peakMemory_MiB() {
 Json::Value toJson(const Report& report, const RenderOptions& options, const scene::Image& image) {
     Json::Value json;
     json["scene"] = options.source.file;
-    for (const std::string& path : options.outputs) json["outputs"].append(path);
+    json["outputs"] = Json::arrayValue;
+    for (const std::string& path : report.outputs) json["outputs"].append(path);
     json["device"] = report.renderer;
     json["driver"] = report.driver;
     json["width"] = image.width;
@@ -174,17 +181,17 @@ void writeStats(const std::string& path, const Json::Value& stats) {
     if (!file.flush()) throw InputError(path + ": the statistics cannot be written there");
 }
 
-void printSummary(const Report& report, const RenderOptions& options, const scene::Image& image) {
+void printSummary(const Report& report, const scene::Image& image) {
     fmt::print("{}: {} x {}, {} sample(s), {:.3f} s ({:.1f} ms rendering) on {}\n",
-               fmt::join(options.outputs, ", "), image.width, image.height, image.samples,
+               fmt::join(report.outputs, ", "), image.width, image.height, image.samples,
                report.total_ms / 1e3, report.clocks.dispatch, report.renderer);
 }
 
 // ---- the command --------------------------------------------------------------------------------
 
-// The status after the files are complete, or after an interruption.
-int conclude(Outputs& outputs, bool complete, const RenderOptions& options) {
-    if (!complete && !options.keepPartial) {
+// Finishes the files, or gives them up after an interruption; the exit status.
+int conclude(Outputs& outputs, bool complete, bool keepPartial) {
+    if (!complete && !keepPartial) {
         fmt::print(stderr, "fringe: interrupted; nothing was written (--keep-partial writes what is done)\n");
         return interruptStatus();
     }
@@ -192,16 +199,18 @@ int conclude(Outputs& outputs, bool complete, const RenderOptions& options) {
     outputs.finish();
     for (const std::string& failure : outputs.failures()) fmt::print(stderr, "fringe: {}\n", failure);
     if (!complete) {
-        fmt::print(stderr, "fringe: interrupted; what was done is in {}\n", fmt::join(options.outputs, ", "));
+        fmt::print(stderr, "fringe: interrupted; what was done is in {}\n",
+                   fmt::join(outputs.written(), ", "));
         return interruptStatus();
     }
     return outputs.failures().empty() ? kDone : kMachineCannot;
 }
 
-int reportValidation(const gpu::Device& device) {
+// True when the validation layer had nothing to say.
+bool passedValidation(const gpu::Device& device) {
     const auto messages = device.validationMessages();
     for (const std::string& message : messages) fmt::print(stderr, "fringe: validation: {}\n", message);
-    return messages.empty() ? kDone : kMachineCannot;
+    return messages.empty();
 }
 
 bool hasPrintedFaults(const scene::Scene& scene) {
@@ -241,6 +250,7 @@ int render(RenderOptions options) {
     Outputs outputs(options.outputs, scene.image.width, scene.image.height,
                     outputOptions(options, scene, text, hasPrintedFaults(scene), report));
     const BandSink sink = [&](std::span<const image::Pixel> rows) {
+        if (interrupted() && !options.keepPartial) return;  // the files go anyway
         const auto writeStart = Clock::now();
         outputs.writeRows(rows);
         report.write_ms += millisecondsSince(writeStart);
@@ -259,13 +269,14 @@ int render(RenderOptions options) {
         }
     }
     const auto finishing = Clock::now();
-    int status = conclude(outputs, complete, options);
+    int status = conclude(outputs, complete, options.keepPartial);
+    report.outputs = outputs.written();
     report.write_ms += millisecondsSince(finishing);
     report.total_ms = millisecondsSince(start);
-    if (device && status == kDone) status = reportValidation(*device);
+    if (device && !passedValidation(*device)) status = kMachineCannot;
     if (!options.stats.empty()) writeStats(options.stats, toJson(report, options, scene.image));
     if (complete && options.json) printJson(toJson(report, options, scene.image));
-    else if (complete && !options.quiet) printSummary(report, options, scene.image);
+    else if (complete && !options.quiet) printSummary(report, scene.image);
     return status;
 }
 
@@ -283,7 +294,8 @@ void addRender(CLI::App& app, Command& chosen) {
                       "render on the CPU in double precision, by other code");
     command->add_option("--device", options->device,
                         "Vulkan device, by index or part of its name (see: fringe devices)");
-    command->add_option("--tile", options->tile, "edge of a tile in pixels (default: fitted to the device)");
+    command->add_option("--tile", options->tile, "edge of a tile in pixels (default: fitted to the device)")
+        ->check(CLI::Range(1, 65536));
     command->add_option("--png-bits", options->pngBits, "8 (default) or 16")->check(CLI::IsMember({8, 16}));
     command->add_option("--exr-type", options->exrType, "half (default) or float")
         ->check(CLI::IsMember({"half", "float"}));

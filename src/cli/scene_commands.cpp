@@ -102,12 +102,14 @@ Json::Value constantsOf(const device::Specialisation& constants) {
     return json;
 }
 
-// Device bytes of the scene's arrays, without alignment.
+// Device bytes of the scene, without alignment: the uniform block, and the arrays that do not fit there.
 Json::UInt64 sceneBytes(const compile::CompiledScene& s) {
-    const auto bytes = [](const auto& array) { return array.size() * sizeof(array[0]); };
-    return sizeof(device::SceneBlock) + bytes(s.planes) + bytes(s.rectangles) + bytes(s.discs) + bytes(s.spheres) +
-           bytes(s.boxes) + bytes(s.cylinders) + bytes(s.cones) + bytes(s.triangles) + bytes(s.materials) +
-           bytes(s.apertures) + bytes(s.lights) + bytes(s.gratings);
+    const auto bytes = [](const auto& array) {
+        return array.size() > device::FEW ? array.size() * sizeof(array[0]) : 0;
+    };
+    return sizeof(device::SceneBlock) + bytes(s.planes) + bytes(s.rectangles) + bytes(s.discs) +
+           bytes(s.spheres) + bytes(s.boxes) + bytes(s.cylinders) + bytes(s.cones) + bytes(s.triangles) +
+           bytes(s.materials) + bytes(s.lights) + bytes(s.gratings);
 }
 
 Json::Value describe(const scene::Scene& scene) {

@@ -1,6 +1,6 @@
-// Which shapes can throw a shadow at all. A flat shape that has the whole scene on one side of its plane, such as a
-// wall of a room, lies between no two points of the scene: shadow rays need not look at it, and a scene of walls
-// alone has no shadow rays.
+// Which shapes can throw a shadow at all. A flat shape that has the whole scene on one side of its plane,
+// such as a wall of a room, lies between no two points of the scene: shadow rays need not look at it, and a
+// scene of walls alone has no shadow rays.
 #pragma once
 
 #include <vector>

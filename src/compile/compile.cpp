@@ -66,6 +66,11 @@ device::ThesisAperture compileAperture(const scene::Slits& slits, scene::Faults 
     };
 }
 
+bool isSpecular(const scene::Material& material) {
+    return !std::holds_alternative<scene::Diffuse>(material.model) &&
+           !std::holds_alternative<scene::Emissive>(material.model);
+}
+
 // The listing of the disc runs once per light and takes nothing of it but its colour.
 dvec3 sumOfLightColors(const scene::Scene& scene) {
     dvec3 sum{0.0};
@@ -77,31 +82,29 @@ dvec3 sumOfLightColors(const scene::Scene& scene) {
 
 struct MaterialCompiler {
     const scene::Scene& scene;
-    CompiledScene& out;
 
     device::Material operator()(const scene::Diffuse& m) const {
-        return {.kind = device::DIFFUSE, .color = toFloat(m.reflectance), .second = {}, .aperture = 0};
+        return {.kind = device::DIFFUSE, .color = toFloat(m.reflectance), .second = {}, .aperture = {}};
     }
     device::Material operator()(const scene::Conductor& m) const {
         const ComplexIndex index = metalIndex(m.metal);
         return {
-            .kind = device::CONDUCTOR, .color = toFloat(index.n), .second = toFloat(index.k), .aperture = 0};
+            .kind = device::CONDUCTOR, .color = toFloat(index.n), .second = toFloat(index.k), .aperture = {}};
     }
     device::Material operator()(const scene::Dielectric& m) const {
-        return {.kind = device::DIELECTRIC, .color = toFloat(dvec3(m.ior)), .second = {}, .aperture = 0};
+        return {.kind = device::DIELECTRIC, .color = toFloat(dvec3(m.ior)), .second = {}, .aperture = {}};
     }
     device::Material operator()(const scene::Emissive& m) const {
         return {.kind = device::EMISSIVE,
                 .color = toFloat(m.radiance / units::W_per_m2_sr * m.color),
                 .second = {m.twoSided ? 1.0F : 0.0F, 0.0F, 0.0F},
-                .aperture = 0};
+                .aperture = {}};
     }
     device::Material operator()(const scene::ThesisDisc& m) const {
-        out.apertures.push_back(compileAperture(m.slits, m.faults));
         return {.kind = device::THESIS_DISC,
                 .color = toFloat(sumOfLightColors(scene)),
                 .second = {toFloat(m.mirrorReflectance), 0.0F, 0.0F},
-                .aperture = count(out.apertures.size() - 1)};
+                .aperture = compileAperture(m.slits, m.faults)};
     }
 };
 
@@ -242,7 +245,7 @@ struct LightCompiler {
                 out.materials.push_back({.kind = device::EMISSIVE,
                                          .color = toFloat(radiance),
                                          .second = {l.twoSided ? 1.0F : 0.0F, 0.0F, 0.0F},
-                                         .aperture = 0});
+                                         .aperture = {}});
             },
             l.shape);
     }
@@ -295,10 +298,10 @@ void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, Compi
         }
     };
     addAll(true);
-    out.frame.planeCasters = count(out.planes.size());
-    out.frame.rectangleCasters = count(out.rectangles.size());
-    out.frame.discCasters = count(out.discs.size());
-    out.frame.triangleCasters = count(out.triangles.size());
+    out.planeCasters = count(out.planes.size());
+    out.rectangleCasters = count(out.rectangles.size());
+    out.discCasters = count(out.discs.size());
+    out.triangleCasters = count(out.triangles.size());
     addAll(false);
 }
 
@@ -315,28 +318,20 @@ CompiledScene compileScene(const scene::Scene& scene) {
     frame.camera = compileCamera(scene.camera, double{1.0} * scene.image.width / scene.image.height);
     frame.width = scene.image.width;
     frame.height = scene.image.height;
-    frame.samples = scene.image.samples;
+    frame.filmWidth = (frame.width + device::GROUP_EDGE - 1) / device::GROUP_EDGE * device::GROUP_EDGE;
     frame.seed = scene.image.seed;
-    frame.maxDepth = scene.image.maxDepth;
+    out.samples = scene.image.samples;
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
+        out.maxDepth = scene.image.maxDepth;
 
     for (const scene::Material& material : scene.materials) {
-        out.materials.push_back(std::visit(MaterialCompiler{scene, out}, material.model));
+        out.materials.push_back(std::visit(MaterialCompiler{scene}, material.model));
     }
     for (const scene::Object& object : scene.objects) addGlowingObject(object, scene, out);
     const device::uint firstLightMaterial = count(out.materials.size());
     for (const scene::Light& light : scene.lights) std::visit(LightCompiler{light.color, out}, light.model);
     addShapes(scene, firstLightMaterial, out);
 
-    frame.planes = count(out.planes.size());
-    frame.rectangles = count(out.rectangles.size());
-    frame.discs = count(out.discs.size());
-    frame.spheres = count(out.spheres.size());
-    frame.boxes = count(out.boxes.size());
-    frame.cylinders = count(out.cylinders.size());
-    frame.cones = count(out.cones.size());
-    frame.triangles = count(out.triangles.size());
-    frame.lights = count(out.lights.size());
-    frame.gratings = count(out.gratings.size());
     return out;
 }
 
@@ -351,6 +346,8 @@ device::SceneBlock sceneBlock(const CompiledScene& scene) {
     copyFew(scene.cylinders, block.cylinders);
     copyFew(scene.cones, block.cones);
     copyFew(scene.triangles, block.triangles);
+    copyFew(scene.materials, block.materials);
+    copyFew(scene.lights, block.lights);
     copyFew(scene.gratings, block.gratings);
     return block;
 }

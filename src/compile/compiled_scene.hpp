@@ -10,6 +10,10 @@ namespace fringe::compile {
 
 struct CompiledScene {
     device::Frame frame{};
+    std::uint32_t samples = 1;   // per pixel
+    std::uint32_t maxDepth = 0;  // of mirrors and glass; 0 where there are none
+    // The first so many of each flat kind can throw a shadow; of the others all.
+    std::uint32_t planeCasters = 0, rectangleCasters = 0, discCasters = 0, triangleCasters = 0;
     std::vector<device::Plane> planes;
     std::vector<device::Rectangle> rectangles;
     std::vector<device::Disc> discs;
@@ -19,7 +23,6 @@ struct CompiledScene {
     std::vector<device::Cone> cones;
     std::vector<device::Triangle> triangles;
     std::vector<device::Material> materials;
-    std::vector<device::ThesisAperture> apertures;
     std::vector<device::Light> lights;
     std::vector<device::ThesisGrating> gratings;
 };

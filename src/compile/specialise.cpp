@@ -12,11 +12,11 @@ device::uint any(const std::vector<Element>& elements, device::uint kind) {
     return std::any_of(elements.begin(), elements.end(), [kind](const Element& e) { return e.kind == kind; });
 }
 
+// Whether any 0/0 of the thesis's formulas is to be left in.
 device::uint printed(const CompiledScene& compiled) {
-    const auto asPrinted = [](const device::ThesisAperture& aperture) { return aperture.asPrinted != 0; };
-    return std::any_of(compiled.apertures.begin(), compiled.apertures.end(), asPrinted) ||
-           std::any_of(compiled.gratings.begin(), compiled.gratings.end(),
-                       [&](const device::ThesisGrating& grating) { return asPrinted(grating.aperture); });
+    const auto asPrinted = [](const auto& element) { return element.aperture.asPrinted != 0; };
+    return std::any_of(compiled.materials.begin(), compiled.materials.end(), asPrinted) ||
+           std::any_of(compiled.gratings.begin(), compiled.gratings.end(), asPrinted);
 }
 
 device::uint hasLens(const scene::Camera& camera) {
@@ -27,7 +27,6 @@ device::uint hasLens(const scene::Camera& camera) {
 }  // namespace
 
 device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera) {
-    const bool dielectrics = any(compiled.materials, device::DIELECTRIC) != 0;
     const auto few = [](std::size_t size) {
         return static_cast<device::uint>(std::min<std::size_t>(size, device::FEW + 1));
     };
@@ -45,7 +44,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .LIGHT_COUNT = count(compiled.lights),
         .HAS_DIFFUSE = any(compiled.materials, device::DIFFUSE),
         .HAS_CONDUCTORS = any(compiled.materials, device::CONDUCTOR),
-        .HAS_DIELECTRICS = dielectrics,
+        .HAS_DIELECTRICS = any(compiled.materials, device::DIELECTRIC),
         .HAS_EMITTERS = any(compiled.materials, device::EMISSIVE),
         .HAS_THESIS_DISCS = any(compiled.materials, device::THESIS_DISC),
         .HAS_POINT_LIGHTS = any(compiled.lights, device::POINT_LIGHT),
@@ -58,13 +57,13 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_PRINTED_FAULTS = printed(compiled),
         .IS_ORTHOGRAPHIC = std::holds_alternative<scene::Orthographic>(camera.projection),
         .HAS_LENS = hasLens(camera),
-        .HAS_SEVERAL_SAMPLES = compiled.frame.samples > 1,
-        // Following one branch of two leaves one waiting per surface passed.
-        .STACK_SIZE = dielectrics ? compiled.frame.maxDepth + 1 : 1,
-        .PLANE_CASTERS = few(compiled.frame.planeCasters),
-        .RECTANGLE_CASTERS = few(compiled.frame.rectangleCasters),
-        .DISC_CASTERS = few(compiled.frame.discCasters),
-        .TRIANGLE_CASTERS = few(compiled.frame.triangleCasters),
+        .HAS_SEVERAL_SAMPLES = compiled.samples > 1,
+        .MAX_DEPTH = compiled.maxDepth,
+        .PLANE_CASTERS = few(compiled.planeCasters),
+        .RECTANGLE_CASTERS = few(compiled.rectangleCasters),
+        .DISC_CASTERS = few(compiled.discCasters),
+        .TRIANGLE_CASTERS = few(compiled.triangleCasters),
+        .MATERIAL_COUNT = count(compiled.materials),
     };
 }
 

@@ -19,12 +19,8 @@ vk::raii::DescriptorSetLayout createBindings(const Device& device, std::span<con
     return {device.handle(), {{}, layout}};
 }
 
-vk::raii::PipelineLayout createLayout(const Device& device, vk::DescriptorSetLayout bindings,
-                                      std::uint32_t pushBytes) {
-    const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, pushBytes);
-    vk::PipelineLayoutCreateInfo info({}, bindings);
-    if (pushBytes > 0) info.setPushConstantRanges(range);
-    return {device.handle(), info};
+vk::raii::PipelineLayout createLayout(const Device& device, vk::DescriptorSetLayout bindings) {
+    return {device.handle(), vk::PipelineLayoutCreateInfo({}, bindings)};
 }
 
 vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
@@ -36,7 +32,8 @@ vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uin
                                         constants.size_bytes(), constants.data());
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &values);
-    return {device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+    return {device.handle(), nullptr,
+            vk::ComputePipelineCreateInfo(vk::PipelineCreateFlagBits::eDispatchBase, stage, layout)};
 }
 
 vk::raii::DescriptorPool createPool(const Device& device, std::span<const Binding> bindings) {
@@ -62,10 +59,39 @@ void submitAndWait(const Device& device, const vk::raii::CommandBuffer& commands
     device.handle().resetFences(*done);
 }
 
+using Stage = vk::PipelineStageFlagBits;
+using Use = vk::AccessFlagBits;
+
+struct Work {
+    vk::PipelineStageFlags stages;
+    vk::AccessFlags uses;
+};
+
+// What `before` did is done and visible when `after` begins.
+void barrier(const vk::raii::CommandBuffer& commands, Work before, Work after) {
+    const vk::MemoryBarrier memory(before.uses, after.uses);
+    commands.pipelineBarrier(before.stages, after.stages, {}, memory, nullptr, nullptr);
+}
+
+// Records one transfer command between what shaders wrote before and what shaders and the host do next;
+// waits.
+template <class Record>
+void transfer(const Device& device, Record record) {
+    const vk::raii::CommandBuffer commands = createCommands(device);
+    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    barrier(commands, {Stage::eComputeShader, Use::eShaderWrite},
+            {Stage::eTransfer, Use::eTransferRead | Use::eTransferWrite});
+    record(commands);
+    barrier(commands, {Stage::eTransfer, Use::eTransferWrite},
+            {Stage::eComputeShader | Stage::eHost, Use::eShaderRead | Use::eShaderWrite | Use::eHostRead});
+    commands.end();
+    submitAndWait(device, commands, vk::raii::Fence(device.handle(), vk::FenceCreateInfo()));
+}
+
 }  // namespace
 
 Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
-               std::span<const std::uint32_t> constants, std::uint32_t pushConstantBytes)
+               std::span<const std::uint32_t> constants)
     : device_(device),
       bindings_(nullptr),
       layout_(nullptr),
@@ -76,7 +102,7 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::
       done_(nullptr) {
     guarded("compiling the shader", [&] {
         bindings_ = createBindings(device, bindings);
-        layout_ = createLayout(device, *bindings_, pushConstantBytes);
+        layout_ = createLayout(device, *bindings_);
         pipeline_ = createPipeline(device, spirv, constants, *layout_);
         pool_ = createPool(device, bindings);
         set_ = std::move(vk::raii::DescriptorSets(device.handle(), {*pool_, *bindings_})[0]);
@@ -94,24 +120,18 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::
     });
 }
 
-void Kernel::run(std::span<const std::byte> pushConstants, Groups groups) const {
+void Kernel::run(std::span<const Groups> firstGroups, Groups groups) const {
     guarded("running the shader", [&] {
-        using Stage = vk::PipelineStageFlagBits;
-        using Use = vk::AccessFlagBits;
         commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        const vk::MemoryBarrier before(Use::eShaderWrite, Use::eShaderRead | Use::eShaderWrite);
-        commands_.pipelineBarrier(Stage::eComputeShader, Stage::eComputeShader, {}, before, nullptr, nullptr);
         commands_.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
         commands_.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, *set_, nullptr);
-        if (!pushConstants.empty()) {
-            commands_.pushConstants<std::byte>(
-                *layout_, vk::ShaderStageFlagBits::eCompute, 0,
-                {static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data()});
+        for (const Groups& first : firstGroups) {
+            barrier(commands_, {Stage::eComputeShader, Use::eShaderWrite},
+                    {Stage::eComputeShader, Use::eShaderRead | Use::eShaderWrite});
+            commands_.dispatchBase(first.x, first.y, first.z, groups.x, groups.y, groups.z);
         }
-        commands_.dispatch(groups.x, groups.y, groups.z);
-        const vk::MemoryBarrier after(Use::eShaderWrite, Use::eHostRead | Use::eTransferRead);
-        commands_.pipelineBarrier(Stage::eComputeShader, Stage::eHost | Stage::eTransfer, {}, after, nullptr,
-                                  nullptr);
+        barrier(commands_, {Stage::eComputeShader, Use::eShaderWrite},
+                {Stage::eHost | Stage::eTransfer, Use::eHostRead | Use::eTransferRead});
         commands_.end();
         submitAndWait(device_, commands_, done_);
     });
@@ -119,17 +139,18 @@ void Kernel::run(std::span<const std::byte> pushConstants, Groups groups) const 
 
 void copy(const Device& device, const Copy& what) {
     guarded("reading back the film", [&] {
-        using Stage = vk::PipelineStageFlagBits;
-        using Use = vk::AccessFlagBits;
-        const vk::raii::CommandBuffer commands = createCommands(device);
-        commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        const vk::MemoryBarrier before(Use::eShaderWrite, Use::eTransferRead);
-        commands.pipelineBarrier(Stage::eComputeShader, Stage::eTransfer, {}, before, nullptr, nullptr);
-        commands.copyBuffer(what.from, what.to, vk::BufferCopy(0, 0, what.bytes));
-        const vk::MemoryBarrier after(Use::eTransferWrite, Use::eHostRead);
-        commands.pipelineBarrier(Stage::eTransfer, Stage::eHost, {}, after, nullptr, nullptr);
-        commands.end();
-        submitAndWait(device, commands, vk::raii::Fence(device.handle(), vk::FenceCreateInfo()));
+        transfer(device, [&](const vk::raii::CommandBuffer& commands) {
+            commands.copyBuffer(what.from, what.to, vk::BufferCopy(0, 0, what.bytes));
+        });
+    });
+}
+
+void clear(const Device& device, vk::Buffer buffer, std::uint32_t first, vk::DeviceSize bytes) {
+    guarded("clearing the film", [&] {
+        transfer(device, [&](const vk::raii::CommandBuffer& commands) {
+            commands.fillBuffer(buffer, 0, sizeof first, first);
+            commands.fillBuffer(buffer, sizeof first, bytes - sizeof first, 0);
+        });
     });
 }
 

@@ -29,11 +29,12 @@ class Kernel {
 public:
     // `bindings[i]` is bound to set 0, binding i; `constants[i]` is specialisation constant i.
     Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
-           std::span<const std::uint32_t> constants, std::uint32_t pushConstantBytes);
+           std::span<const std::uint32_t> constants);
 
-    // Dispatches and waits. Earlier runs' writes are visible to it, its own to later runs and to the host.
-    // Throws DeviceError if the device is lost or does not answer.
-    void run(std::span<const std::byte> pushConstants, Groups groups) const;
+    // Dispatches `groups` once from each of the first workgroups, one after the other, and waits. Earlier
+    // writes are visible to each, the last ones to the host. Throws DeviceError if the device is lost or does
+    // not answer.
+    void run(std::span<const Groups> firstGroups, Groups groups) const;
 
 private:
     const Device& device_;
@@ -48,5 +49,8 @@ private:
 
 // Copies between buffers and waits.
 void copy(const Device& device, const Copy& what);
+
+// Sets the buffer's first word to `first` and the rest of its first `bytes` to zero, and waits.
+void clear(const Device& device, vk::Buffer buffer, std::uint32_t first, vk::DeviceSize bytes);
 
 }  // namespace fringe::gpu

@@ -31,9 +31,9 @@ struct Control {
 
 // Wall-clock milliseconds on the host, from asking to having.
 struct Clocks {
-    double compile = 0.0;  // pipeline and first (empty) dispatch: drivers compile in either
+    double compile = 0.0;  // pipeline and first dispatch, of one workgroup: drivers compile in either
     double upload = 0.0;
-    double dispatch = 0.0;
+    double dispatch = 0.0;  // with clearing the film
     double readback = 0.0;  // to host memory, and the mean over the samples
     std::uint64_t dispatches = 0;
 };
@@ -52,10 +52,13 @@ public:
 private:
     class Pass;
 
+    vk::DeviceSize filmBytes(std::uint32_t rows) const;
+    void clear(std::uint32_t firstRow, std::uint32_t rows);
     std::span<device::FilmPixel> readFilm(std::uint32_t rows);
 
     const gpu::Device& device_;
     device::Frame frame_;
+    std::uint32_t samples_;
     Clocks clocks_;
     std::uint32_t bandRows_;
     gpu::Buffer scene_;

@@ -20,22 +20,16 @@ public:
         add(vk::DescriptorType::eUniformBuffer, nullptr, sizeof block);
     }
 
+    // Arrays of no more than FEW elements lie in the block and take no room here.
     template <class Element>
-    void addArray(const char* name, const std::vector<Element>& elements) {
-        const vk::DeviceSize size = elements.size() * sizeof(Element);
+    void addMany(const char* name, const std::vector<Element>& elements) {
+        const vk::DeviceSize size = elements.size() > device::FEW ? elements.size() * sizeof(Element) : 0;
         if (size > largest_) {
             throw gpu::DeviceError(
                 fmt::format("{} {} take {} MiB, but this device binds at most {} MiB at once",
                             elements.size(), name, size >> 20, largest_ >> 20));
         }
         add(vk::DescriptorType::eStorageBuffer, elements.data(), size);
-    }
-
-    // Few elements lie in the block already.
-    template <class Element>
-    void addMany(const char* name, const std::vector<Element>& elements) {
-        static const std::vector<Element> kNone;
-        addArray(name, elements.size() > device::FEW ? elements : kNone);
     }
 
     SceneLayout take() { return std::move(layout_); }
@@ -65,9 +59,8 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addMany("cylinders", scene.cylinders);
     builder.addMany("cones", scene.cones);
     builder.addMany("triangles", scene.triangles);
-    builder.addArray("materials", scene.materials);
-    builder.addArray("apertures", scene.apertures);
-    builder.addArray("lights", scene.lights);
+    builder.addMany("materials", scene.materials);
+    builder.addMany("lights", scene.lights);
     builder.addMany("gratings", scene.gratings);
     return builder.take();
 }

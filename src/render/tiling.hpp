@@ -6,18 +6,25 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "compile/interface.hpp"
+
 namespace fringe::render {
+
+// Rounded up to whole workgroups.
+inline std::uint32_t wholeGroups(std::uint32_t pixels) {
+    return (pixels + device::GROUP_EDGE - 1) / device::GROUP_EDGE * device::GROUP_EDGE;
+}
 
 class Tiling {
 public:
-    // `fixedEdge` 0: adaptive.
+    // Width and height of the film are whole workgroups, and so is every tile. `fixedEdge` 0: adaptive.
     Tiling(std::uint32_t width, std::uint32_t height, std::uint32_t samples, std::uint32_t fixedEdge)
         : width_(width),
           height_(height),
           samples_(samples),
           adaptive_(fixedEdge == 0),
-          tileWidth_(std::min(width, adaptive_ ? kFirstEdge : fixedEdge)),
-          tileHeight_(std::min(height, adaptive_ ? kFirstEdge : fixedEdge)) {}
+          tileWidth_(std::min(width, adaptive_ ? kFirstEdge : wholeGroups(fixedEdge))),
+          tileHeight_(std::min(height, adaptive_ ? kFirstEdge : wholeGroups(fixedEdge))) {}
 
     std::uint32_t tileWidth() const { return tileWidth_; }
     std::uint32_t tileHeight() const { return tileHeight_; }
@@ -38,15 +45,23 @@ private:
     static constexpr double kLong_ms = 80.0;
 
     void grow() {
-        if (tileWidth_ < width_) tileWidth_ = std::min(width_, 2 * tileWidth_);
-        else if (tileHeight_ < height_) tileHeight_ = std::min(height_, 2 * tileHeight_);
-        else batch_ = std::min(samples_, 2 * batch_);
+        if (tileWidth_ < width_) {
+            tileWidth_ = std::min(width_, 2 * tileWidth_);
+        } else if (tileHeight_ < height_) {
+            tileHeight_ = std::min(height_, 2 * tileHeight_);
+        } else {
+            batch_ = std::min(samples_, 2 * batch_);
+        }
     }
 
     void shrink() {
-        if (batch_ > 1) batch_ /= 2;
-        else if (tileHeight_ > kSmallestEdge) tileHeight_ /= 2;
-        else tileWidth_ = std::max(kSmallestEdge, tileWidth_ / 2);
+        if (batch_ > 1) {
+            batch_ /= 2;
+        } else if (tileHeight_ > kSmallestEdge) {
+            tileHeight_ = wholeGroups(tileHeight_ / 2);
+        } else {
+            tileWidth_ = std::min(tileWidth_, std::max(kSmallestEdge, wholeGroups(tileWidth_ / 2)));
+        }
     }
 
     std::uint32_t width_, height_, samples_;

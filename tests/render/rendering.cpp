@@ -1,0 +1,65 @@
+#include "render/rendering.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "oracle/reference.hpp"
+#include "render/renderer.hpp"
+#include "scene/parse.hpp"
+
+namespace fringe::testing {
+namespace {
+
+std::string wantedDevice() {
+    const char* selector = std::getenv("FRINGE_DEVICE");
+    return selector != nullptr ? selector : "";
+}
+
+}  // namespace
+
+scene::Scene sceneFile(const std::string& path) {
+    std::ifstream file(std::string(FRINGE_SOURCE_DIR) + "/" + path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return scene::parseScene(text.str(), path);
+}
+
+image::Image renderOnDevice(const scene::Scene& scene) {
+    static const gpu::Device device({.selector = wantedDevice(), .validation = true});
+    const std::size_t messagesBefore = device.validationMessages().size();
+    const compile::CompiledScene compiled = compile::compileScene(scene);
+    render::Renderer renderer(device, compiled, compile::specialise(compiled, scene.camera));
+    image::Image picture{scene.image.width, scene.image.height, {}};
+    const std::atomic<bool> never{false};
+    renderer.render({.cancelled = never,
+                     .onProgress = {},
+                     .onBand =
+                         [&](const render::Band& band) {
+                             picture.pixels.insert(picture.pixels.end(), band.pixels.begin(),
+                                                   band.pixels.end());
+                         },
+                     .tile = 0});
+    const auto messages = device.validationMessages();
+    for (std::size_t i = messagesBefore; i < messages.size(); ++i)
+        ADD_FAILURE() << "validation: " << messages[i];
+    return picture;
+}
+
+image::Image renderReference(const scene::Scene& scene) {
+    image::Image picture{scene.image.width, scene.image.height, {}};
+    picture.pixels.resize(std::size_t{picture.width} * picture.height);
+    const std::atomic<bool> never{false};
+    EXPECT_TRUE(oracle::Reference(scene).render(0, picture.height, picture.pixels, 2, never));
+    return picture;
+}
+
+double distance(const image::Pixel& a, const image::Pixel& b) {
+    return std::max({std::abs(double{a.r} - b.r), std::abs(double{a.g} - b.g), std::abs(double{a.b} - b.b)});
+}
+
+}  // namespace fringe::testing

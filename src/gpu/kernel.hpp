@@ -1,4 +1,5 @@
-// A compute pipeline bound to its buffers; run() returns when the device is done.
+// A compute pipeline bound to its buffers; run() returns when the device is done. There are no push constants: what
+// differs between dispatches comes in as the first workgroup (docs/architecture.md, "No uniform decides").
 #pragma once
 
 #include <cstdint>

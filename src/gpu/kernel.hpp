@@ -1,5 +1,6 @@
-// A compute pipeline bound to its buffers; run() returns when the device is done. There are no push constants: what
-// differs between dispatches comes in as the first workgroup (docs/architecture.md, "No uniform decides").
+// A compute pipeline bound to its buffers; run() returns when the device is done. There are no push
+// constants: what differs between dispatches comes in as the first workgroup (docs/architecture.md, "No
+// uniform decides").
 #pragma once
 
 #include <cstdint>

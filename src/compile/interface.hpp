@@ -16,7 +16,7 @@ using uint = std::uint32_t;
 #include "../../shaders/specialisation.h"
 
 // Scalar block layout has no padding, and neither may these have.
-static_assert(sizeof(Camera) == 19 * 4 && sizeof(Frame) == sizeof(Camera) + 7 * 4);
+static_assert(sizeof(Camera) == 76 && sizeof(Frame) == 104);
 static_assert(sizeof(FilmPixel) == 16);
 static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 36 && sizeof(Sphere) == 20);
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);

@@ -103,6 +103,7 @@ private:
         double spent_ms = 0.0;
         {
             const Stopwatch watch(spent_ms);
+            // Vulkan promises workgroups up to 65535, and so the schema allows that many samples.
             std::vector<gpu::Groups> firstGroups;
             for (std::uint32_t i = 0; i < batch; ++i) {
                 firstGroups.push_back({from.x / device::GROUP_EDGE, from.y / device::GROUP_EDGE, from.z + i});

@@ -119,7 +119,7 @@ TEST(SceneOverride, EmptySegments) {
 
 TEST(SceneOverride, WrongValueHasThePlaceOfTheOverride) {
     EXPECT_EQ(problemsWith({{"image.samples", "0"}}),
-              R"(--set image.samples=0: "samples" is 0; write a whole number from 1 to 65536)");
+              R"(--set image.samples=0: "samples" is 0; write a whole number from 1 to 65535)");
     EXPECT_EQ(
         problemsWith({{"lights.lamp.power", "5"}}),
         R"(--set lights.lamp.power=5: "power" is the bare number 5, which has no unit; write a power such as "5 W")");

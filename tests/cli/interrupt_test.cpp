@@ -27,7 +27,7 @@ void PrintTo(const LongRender& render, std::ostream* out) {
 const LongRender kReference{
     .name = "Reference",
     .arguments =
-        Arguments{"render", roomFile(), "--reference", "--set", "image.samples=65536"} + sized(4, 4000),
+        Arguments{"render", roomFile(), "--reference", "--set", "image.samples=65535"} + sized(4, 4000),
     .width = 4,
     .height = 4000};
 
@@ -35,7 +35,7 @@ const LongRender kReference{
 // sampled.
 const LongRender kDevice{
     .name = "OnDevice",
-    .arguments = Arguments{"render", roomFile(), "--set", "image.samples=65536"} + sized(2100, 2100),
+    .arguments = Arguments{"render", roomFile(), "--set", "image.samples=65535"} + sized(2100, 2100),
     .width = 2100,
     .height = 2100};
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A render that no machine ends while the tests look, at 65536 samples a pixel, yet has complete rows within
+// A render that no machine ends while the tests look, at 65535 samples a pixel, yet has complete rows within
 // a second or two.
 struct LongRender {
     const char* name;

@@ -39,7 +39,8 @@ public:
     }
 
 private:
-    // A picture of 600 x 600 is one dispatch, of 70 ms on two cores; smaller first tiles cost half as much again.
+    // A picture of 600 x 600 is one dispatch, of 70 ms on two cores; smaller first tiles cost half as much
+    // again.
     static constexpr std::uint32_t kFirstEdge = 640;
     static constexpr std::uint32_t kSmallestEdge = 32;
     static constexpr double kShort_ms = 20.0;

@@ -16,7 +16,7 @@ float slitFactor(float x) {
 
 // N slits, (sin(N pi t)/sin(pi t))^2 with t = b sin(theta)/lambda in turns: N^2 at every order (whole t).
 // The reduction of t is exact, so the result errs by less than 1e-6 of the peak for every N, at the t given; the naive
-// quotient of two sines is off by more than the peak from N = 50 on (docs/thesis-algorithm.md).
+// quotient of two sines is off by many times the peak next to an order, from N = 3 on (docs/thesis-algorithm.md).
 float arrayFactor(float t, float count) {
     float r = t - roundEven(t);                            // exact; distance to the nearest order
     float p = count * r;

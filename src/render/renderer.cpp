@@ -125,15 +125,18 @@ private:
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
                    const device::Specialisation& specialisation)
+    : Renderer(device, scene, specialisation, layOut(scene, device)) {}
+
+Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
+                   const device::Specialisation& specialisation, const SceneLayout& layout)
     : device_(device),
       frame_(scene.frame),
       samples_(scene.samples),
       bandRows_(rowsOfBand(device, scene.frame)),
-      scene_(device, layOut(scene, device).size, gpu::Access::hostWrites),
+      scene_(device, layout.size, gpu::Access::hostWrites),
       film_(device, filmBytes(bandRows_),
             gpu::hasSharedMemory(device) ? gpu::Access::shared : gpu::Access::deviceOnly) {
     if (film_.mapped().empty()) readback_.emplace(device, film_.size(), gpu::Access::hostReads);
-    const SceneLayout layout = layOut(scene, device);
     {
         const Stopwatch watch(clocks_.upload);
         upload(layout, scene_);

@@ -14,6 +14,8 @@
 
 namespace fringe::render {
 
+struct SceneLayout;
+
 // Rows firstRow.. of the picture, whole ones.
 struct Band {
     std::uint32_t firstRow;
@@ -51,6 +53,9 @@ public:
 
 private:
     class Pass;
+
+    Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
+             const device::Specialisation& specialisation, const SceneLayout& layout);
 
     vk::DeviceSize filmBytes(std::uint32_t rows) const;
     void clear(std::uint32_t firstRow, std::uint32_t rows);

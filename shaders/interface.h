@@ -101,11 +101,12 @@ struct ThesisAperture {
     uint asPrinted;      // 1: leave 0/0 in, flagged
 };
 
-const uint DIFFUSE = 0u;
-const uint CONDUCTOR = 1u;
-const uint DIELECTRIC = 2u;
-const uint EMISSIVE = 3u;
-const uint THESIS_DISC = 4u;
+// Kinds begin at 1: no record in use is all zero (src/gpu/constant_block.hpp).
+const uint DIFFUSE = 1u;
+const uint CONDUCTOR = 2u;
+const uint DIELECTRIC = 3u;
+const uint EMISSIVE = 4u;
+const uint THESIS_DISC = 5u;
 
 // One record for every kind: what `color` and `second` mean depends on it.
 struct Material {
@@ -115,13 +116,13 @@ struct Material {
     ThesisAperture aperture;  // THESIS_DISC
 };
 
-const uint POINT_LIGHT = 0u;
-const uint SPOT_LIGHT = 1u;
-const uint DIRECTIONAL_LIGHT = 2u;
-const uint RECTANGLE_LIGHT = 3u;
-const uint DISC_LIGHT = 4u;
-const uint SPHERE_LIGHT = 5u;
-const uint ENVIRONMENT_LIGHT = 6u;
+const uint POINT_LIGHT = 1u;
+const uint SPOT_LIGHT = 2u;
+const uint DIRECTIONAL_LIGHT = 3u;
+const uint RECTANGLE_LIGHT = 4u;
+const uint DISC_LIGHT = 5u;
+const uint SPHERE_LIGHT = 6u;
+const uint ENVIRONMENT_LIGHT = 7u;
 
 struct Light {
     uint kind;

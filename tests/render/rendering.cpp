@@ -29,11 +29,14 @@ scene::Scene sceneFile(const std::string& path) {
     return scene::parseScene(text.str(), path);
 }
 
-image::Image renderOnDevice(const scene::Scene& scene) {
+image::Image renderOnDevice(const scene::Scene& scene,
+                            const std::function<void(device::Specialisation&)>& change) {
     static const gpu::Device device({.selector = wantedDevice(), .validation = true});
     const std::size_t messagesBefore = device.validationMessages().size();
     const compile::CompiledScene compiled = compile::compileScene(scene);
-    render::Renderer renderer(device, compiled, compile::specialise(compiled, scene.camera));
+    device::Specialisation constants = compile::specialise(compiled, scene.camera);
+    if (change) change(constants);
+    render::Renderer renderer(device, compiled, constants);
     image::Image picture{scene.image.width, scene.image.height, {}};
     const std::atomic<bool> never{false};
     renderer.render({.cancelled = never,

@@ -1,8 +1,10 @@
 // Pictures for the tests: on the device, under the validation layer, and by the reference renderer.
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "compile/interface.hpp"
 #include "image/image.hpp"
 #include "scene/scene.hpp"
 
@@ -11,8 +13,9 @@ namespace fringe::testing {
 // A scene file below the source folder.
 scene::Scene sceneFile(const std::string& path);
 
-// Any message of the validation layer fails the test that runs.
-image::Image renderOnDevice(const scene::Scene& scene);
+// Any message of the validation layer fails the test that runs. `change` may alter the pipeline's constants.
+image::Image renderOnDevice(const scene::Scene& scene,
+                            const std::function<void(device::Specialisation&)>& change = {});
 
 image::Image renderReference(const scene::Scene& scene);
 

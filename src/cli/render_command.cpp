@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -18,6 +17,7 @@
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "compile/compiled_scene.hpp"
+#include "image/pending_file.hpp"
 #include "oracle/reference.hpp"
 #include "render/renderer.hpp"
 #include "version.hpp"
@@ -176,9 +176,10 @@ Json::Value toJson(const Report& report, const RenderOptions& options, const sce
 }
 
 void writeStats(const std::string& path, const Json::Value& stats) {
-    std::ofstream file(path);
-    file << formatJson(stats);
-    if (!file.flush()) throw InputError(path + ": the statistics cannot be written there");
+    const std::string text = formatJson(stats);
+    image::PendingFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
 }
 
 void printSummary(const Report& report, const scene::Image& image) {
@@ -213,17 +214,6 @@ bool passedValidation(const gpu::Device& device) {
     return messages.empty();
 }
 
-bool hasPrintedFaults(const scene::Scene& scene) {
-    const auto asPrinted = [](const auto& model) {
-        if constexpr (requires { model.faults; }) return model.faults == scene::Faults::asPrinted;
-        else return false;
-    };
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [&](const auto& material) { return std::visit(asPrinted, material.model); }) ||
-           std::any_of(scene.lights.begin(), scene.lights.end(),
-                       [&](const auto& light) { return std::visit(asPrinted, light.model); });
-}
-
 int render(RenderOptions options) {
     const auto start = Clock::now();
     catchInterrupts();
@@ -234,6 +224,10 @@ int render(RenderOptions options) {
     const std::string text = readTextFile(options.source.file);
     const scene::Scene scene = parseSource(options.source, text);
     report.parse_ms = millisecondsSince(start);
+
+    // A wrong path is known before anything is started for it.
+    for (const std::string& path : options.outputs) image::requireWritable(path);
+    if (!options.stats.empty()) const image::PendingFile probe(options.stats);
 
     std::optional<gpu::Device> device;
     const auto startUp = Clock::now();
@@ -248,7 +242,7 @@ int render(RenderOptions options) {
     report.startUp_ms = millisecondsSince(startUp);
 
     Outputs outputs(options.outputs, scene.image.width, scene.image.height,
-                    outputOptions(options, scene, text, hasPrintedFaults(scene), report));
+                    outputOptions(options, scene, text, scene::hasPrintedFaults(scene), report));
     const BandSink sink = [&](std::span<const image::Pixel> rows) {
         if (interrupted() && !options.keepPartial) return;  // the files go anyway
         const auto writeStart = Clock::now();

@@ -321,6 +321,7 @@ CompiledScene compileScene(const scene::Scene& scene) {
     frame.filmWidth = (frame.width + device::GROUP_EDGE - 1) / device::GROUP_EDGE * device::GROUP_EDGE;
     frame.seed = scene.image.seed;
     out.samples = scene.image.samples;
+    out.printedFaults = scene::hasPrintedFaults(scene);
     if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
         out.maxDepth = scene.image.maxDepth;
 

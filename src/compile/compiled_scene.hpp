@@ -12,6 +12,7 @@ struct CompiledScene {
     device::Frame frame{};
     std::uint32_t samples = 1;   // per pixel
     std::uint32_t maxDepth = 0;  // of mirrors and glass; 0 where there are none
+    bool printedFaults = false;  // some 0/0 is to be left in, flagged
     // The first so many of each flat kind can throw a shadow; of the others all.
     std::uint32_t planeCasters = 0, rectangleCasters = 0, discCasters = 0, triangleCasters = 0;
     std::vector<device::Plane> planes;

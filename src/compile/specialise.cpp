@@ -12,13 +12,6 @@ device::uint any(const std::vector<Element>& elements, device::uint kind) {
     return std::any_of(elements.begin(), elements.end(), [kind](const Element& e) { return e.kind == kind; });
 }
 
-// Whether any 0/0 of the thesis's formulas is to be left in.
-device::uint printed(const CompiledScene& compiled) {
-    const auto asPrinted = [](const auto& element) { return element.aperture.asPrinted != 0; };
-    return std::any_of(compiled.materials.begin(), compiled.materials.end(), asPrinted) ||
-           std::any_of(compiled.gratings.begin(), compiled.gratings.end(), asPrinted);
-}
-
 device::uint hasLens(const scene::Camera& camera) {
     const auto* perspective = std::get_if<scene::Perspective>(&camera.projection);
     return perspective != nullptr && perspective->lens.has_value();
@@ -54,7 +47,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_DISC_LIGHTS = any(compiled.lights, device::DISC_LIGHT),
         .HAS_SPHERE_LIGHTS = any(compiled.lights, device::SPHERE_LIGHT),
         .HAS_ENVIRONMENT = any(compiled.lights, device::ENVIRONMENT_LIGHT),
-        .HAS_PRINTED_FAULTS = printed(compiled),
+        .HAS_PRINTED_FAULTS = compiled.printedFaults,
         .IS_ORTHOGRAPHIC = std::holds_alternative<scene::Orthographic>(camera.projection),
         .HAS_LENS = hasLens(camera),
         .HAS_SEVERAL_SAMPLES = compiled.samples > 1,

@@ -1,5 +1,5 @@
 // A file that appears whole or not at all: it grows under a temporary name in the folder of its target
-// and takes the target's name in commit(). Internal to the image library.
+// and takes the target's name in commit().
 #pragma once
 
 #include <cstddef>

@@ -8,8 +8,23 @@
 #include <string_view>
 
 #include "image/formats.hpp"
+#include "image/pending_file.hpp"
 
 namespace fringe::image {
+namespace {
+
+enum class Format { png, exr };
+
+Format formatOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png") return Format::png;
+    if (extension == ".exr") return Format::exr;
+    throw FileError(path, "the name does not say which format to write; end it in .png or .exr");
+}
+
+}  // namespace
 
 bool isMetadataKey(const std::string& key) {
     // Header attributes that readers of EXR files expect to hold their own type.
@@ -31,12 +46,13 @@ std::unique_ptr<Writer> openWriter(const std::filesystem::path& path, std::uint3
         return isMetadataKey(entry.first) && entry.second.find('\0') == std::string::npos;
     }));
 
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") return openPngWriter(path, width, height, options);
-    if (extension == ".exr") return openExrWriter(path, width, height, options);
-    throw FileError(path, "the name does not say which format to write; end it in .png or .exr");
+    return formatOf(path) == Format::png ? openPngWriter(path, width, height, options)
+                                         : openExrWriter(path, width, height, options);
+}
+
+void requireWritable(const std::filesystem::path& path) {
+    formatOf(path);
+    const PendingFile probe(path);
 }
 
 void writeImage(const std::filesystem::path& path, const Image& image, const OutputOptions& options) {

@@ -46,6 +46,9 @@ public:
 std::unique_ptr<Writer> openWriter(const std::filesystem::path& path, std::uint32_t width,
                                    std::uint32_t height, const OutputOptions& options);
 
+// Throws the FileError that openWriter would throw for this path, and leaves nothing behind.
+void requireWritable(const std::filesystem::path& path);
+
 // openWriter, writeRows and finish for a picture that is in memory.
 void writeImage(const std::filesystem::path& path, const Image& image, const OutputOptions& options);
 

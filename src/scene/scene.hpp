@@ -212,4 +212,7 @@ struct Scene {
     std::vector<Light> lights;
 };
 
+// Whether anything asks for its 0/0 as printed, so that pixels may be not a number.
+bool hasPrintedFaults(const Scene& scene);
+
 }  // namespace fringe::scene

@@ -16,6 +16,14 @@ TEST(NoDriver, IsTheMachinesFaultAndSaysWhatToInstall) {
     EXPECT_EQ(folder.fileCount(), 0U);
 }
 
+TEST(NoDriver, IsNotAskedForWhereAPathIsWrong) {
+    expectRefused(run(smallRender() + Arguments{"-o", "/nonexistent/a.png"}, kNoDriver), 1,
+                  {"/nonexistent/a.png"});
+    expectRefused(run(smallRender() + Arguments{"--stats", "/nonexistent/s.json"}, kNoDriver), 1,
+                  {"/nonexistent/s.json"});
+    expectRefused(run(smallRender() + Arguments{"-o", "a.tiff"}, kNoDriver), 1, {".png or .exr"});
+}
+
 TEST(NoDriver, TheReferenceNeedsNone) {
     const TestFolder folder;
     expectDone(run(smallReferenceRender() + Arguments{"-o", (folder / "a.png").string()}, kNoDriver));

@@ -101,7 +101,6 @@ struct ThesisAperture {
     uint asPrinted;      // 1: leave 0/0 in, flagged
 };
 
-// Kinds begin at 1: no record in use is all zero (src/gpu/constant_block.hpp).
 const uint DIFFUSE = 1u;
 const uint CONDUCTOR = 2u;
 const uint DIELECTRIC = 3u;

@@ -257,7 +257,8 @@ int render(RenderOptions options) {
             complete = renderReference(oracle::Reference(scene), scene.image, sink, show, report);
         } else {
             const compile::CompiledScene compiled = compile::compileScene(scene);
-            render::Renderer renderer(*device, compiled, compile::specialise(compiled, scene.camera));
+            render::Renderer renderer(*device, compiled, compile::specialise(compiled, scene.camera),
+                                      render::Values::asConstants);
             complete = renderOnDevice(renderer, options.tile, sink, show);
             report.clocks = renderer.clocks();
         }

@@ -1,14 +1,18 @@
-// A module is five words of header and then instructions, each with its length and opcode in its first word.
-// What has to change is: the variable, the types of the pointers into it, and the types of what is loaded
-// through them. Those types are copied, because Private variables must not have Offset and ArrayStride, and
-// the same structs may also lie in storage buffers, which must.
+// A module is five words of header and then instructions, each with its length and opcode in its first word:
+// names and decorations, then types, constants and variables, then functions. Opcodes and operands are those
+// of the SPIR-V specification 1.5, section 3.
+//
+// Values take the place of loads, instead of a Private variable with an initialiser taking the place of the
+// block, because drivers turn an initialiser into a store per member at the start of the shader: with some
+// 2000 numbers lavapipe then spends longer on those than it saves.
 #include "gpu/constant_block.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
+#include <iterator>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -18,8 +22,10 @@ namespace {
 using Words = std::span<const std::uint32_t>;
 using Id = std::uint32_t;
 
-// SPIR-V specification 1.5, section 3.
 enum Opcode : std::uint32_t {
+    kName = 5,
+    kEntryPoint = 15,
+    kTypeBool = 20,
     kTypeInt = 21,
     kTypeFloat = 22,
     kTypeVector = 23,
@@ -29,23 +35,26 @@ enum Opcode : std::uint32_t {
     kConstant = 43,
     kConstantComposite = 44,
     kConstantNull = 46,
+    kFunction = 54,
     kVariable = 59,
     kLoad = 61,
     kAccessChain = 65,
     kInBoundsAccessChain = 66,
     kDecorate = 71,
     kMemberDecorate = 72,
+    kCopyObject = 83,
+    kSelect = 169,
+    kIEqual = 170,
 };
-constexpr std::uint32_t kUniform = 2;  // storage classes
-constexpr std::uint32_t kPrivate = 6;
+constexpr std::uint32_t kUniform = 2;      // storage class
 constexpr std::uint32_t kArrayStride = 6;  // decorations
 constexpr std::uint32_t kOffset = 35;
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::size_t kBoundWord = 3;  // one more than the largest id
 constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
 
-std::uint32_t opcodeOf(Words instruction) {
-    return instruction[0] & 0xffffU;
+Opcode opcodeOf(Words instruction) {
+    return static_cast<Opcode>(instruction[0] & 0xffffU);
 }
 
 // Calls `visit` with each instruction, its first word included.
@@ -59,138 +68,22 @@ void forEachInstruction(Words module, Visit visit) {
     }
 }
 
-// What the module says about its types, before anything is changed.
-struct Declarations {
-    explicit Declarations(Words module) {
-        forEachInstruction(module, [this](Words words) { note(words); });
-        assert(variable != 0);
-    }
+void append(std::vector<std::uint32_t>& to, Words words) {
+    to.insert(to.end(), words.begin(), words.end());
+}
 
-    void note(Words words) {
-        switch (opcodeOf(words)) {
-            case kTypeInt:
-            case kTypeFloat:
-            case kTypeVector:
-            case kTypeArray:
-            case kTypeStruct:
-                types[words[1]] = words;
-                break;
-            case kConstant:
-                constants[words[2]] = words[3];
-                constantTypes[words[2]] = words[1];
-                break;
-            case kTypePointer:
-                pointees[words[1]] = words[3];
-                break;
-            case kVariable:
-                if (words[3] != kUniform) break;
-                assert(variable == 0);  // one block at most
-                variable = words[2];
-                variableType = words[1];
-                break;
-            case kDecorate:
-                if (words[2] == kArrayStride) strides[words[1]] = words[3];
-                break;
-            case kMemberDecorate:
-                if (words[3] == kOffset) offsets[{words[1], words[2]}] = words[4];
-                break;
-            default:
-                break;
-        }
-    }
+void append(std::vector<std::uint32_t>& to, Opcode opcode, Words operands) {
+    to.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | opcode);
+    append(to, operands);
+}
 
-    std::map<Id, Words> types;
-    std::map<Id, Id> pointees;
-    std::map<Id, std::uint32_t> constants;
-    std::map<Id, Id> constantTypes;
-    std::map<Id, std::uint32_t> strides;
-    std::map<std::pair<Id, std::uint32_t>, std::uint32_t> offsets;  // of member i of a struct
-    Id variable = 0;
-    Id variableType = 0;
-};
-
-class Rewriter {
+// What the module says about its types, its numbers and its uniform block.
+class Declarations {
 public:
-    Rewriter(Words module, std::span<const std::byte> block)
-        : module_(module),
-          block_(block),
-          declared_(module),
-          blockPointers_{declared_.variable},
-          result_(module.begin(), module.begin() + kHeaderWords) {
-        noteUsedLengths(declared_.pointees.at(declared_.variableType), 0);
-    }
-
-    std::vector<std::uint32_t> run() {
-        forEachInstruction(module_, [this](Words words) { rewrite(words); });
-        return std::move(result_);
-    }
-
-private:
-    void rewrite(Words words) {
-        switch (opcodeOf(words)) {
-            case kDecorate:  // binding and set
-                if (words[1] != declared_.variable) copy(words);
-                break;
-            case kTypePointer:
-                if (words[2] == kUniform) emit(kTypePointer, {words[1], kPrivate, plainType(words[3])});
-                else copy(words);
-                break;
-            case kVariable:
-                if (words[2] == declared_.variable) rewriteVariable(words);
-                else copy(words);
-                break;
-            case kAccessChain:
-            case kInBoundsAccessChain:
-                if (blockPointers_.contains(words[3])) blockPointers_.insert(words[2]);
-                copy(words);
-                break;
-            case kLoad:
-                copy(words);
-                if (blockPointers_.contains(words[3]))
-                    result_[result_.size() - words.size() + 1] = plainType(words[1]);
-                break;
-            default:
-                copy(words);
-                break;
-        }
-    }
-
-    void rewriteVariable(Words words) {
-        const Id block = declared_.pointees.at(words[1]);
-        assert(sizeOf(block) <= block_.size());
-        const Id initial = constant(block, 0);
-        emit(kVariable, {words[1], words[2], kPrivate, initial});
-    }
-
-    void copy(Words words) { result_.insert(result_.end(), words.begin(), words.end()); }
-
-    void emit(Opcode opcode, const std::vector<std::uint32_t>& operands) {
-        result_.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | opcode);
-        result_.insert(result_.end(), operands.begin(), operands.end());
-    }
-
-    Id newId() { return result_[kBoundWord]++; }
-
-    // ---- types ----------------------------------------------------------------------------------
-
-    // The same type without a layout; emitted where it is first asked for, which is before its first use.
-    Id plainType(Id type) {
-        if (const auto known = plainTypes_.find(type); known != plainTypes_.end()) return known->second;
-        const Words words = declared_.types.at(type);
-        std::vector<std::uint32_t> operands(words.begin() + 1, words.end());
-        if (opcodeOf(words) == kTypeStruct) {
-            for (std::size_t i = 1; i < operands.size(); ++i) operands[i] = plainType(operands[i]);
-        } else if (opcodeOf(words) == kTypeArray) {
-            operands[1] = plainType(operands[1]);
-            operands[2] =
-                declare(kConstant, declared_.constantTypes.at(operands[2]), {usedLengths_.at(type)});
-        } else {
-            return type;  // numbers and vectors have no layout, and may not be declared twice
-        }
-        operands[0] = newId();
-        emit(static_cast<Opcode>(opcodeOf(words)), operands);
-        plainTypes_.emplace(type, operands[0]);
-        return operands[0];
+    explicit Declarations(Words module) {
+        assert(module[1] >= 0x00010400);  // version
+        forEachInstruction(module, [this](Words words) { note(words); });
+        assert(blockType != 0 && boolType != 0 && uintType != 0);
     }
 
     struct Part {
@@ -198,21 +91,22 @@ private:
         std::size_t offset;  // in bytes, from the start of the whole
     };
 
+    // Members, elements or components of a type; none of a number.
     std::vector<Part> partsOf(Id type) const {
-        const Words words = declared_.types.at(type);
+        const Words words = types_.at(type);
         std::vector<Part> parts;
         switch (opcodeOf(words)) {
             case kTypeVector:
                 for (std::size_t i = 0; i < words[3]; ++i) parts.push_back({words[2], i * kWordBytes});
                 break;
             case kTypeArray:
-                for (std::size_t i = 0; i < declared_.constants.at(words[3]); ++i) {
-                    parts.push_back({words[2], i * declared_.strides.at(type)});
+                for (std::size_t i = 0; i < numbers.at(words[3]); ++i) {
+                    parts.push_back({words[2], i * strides_.at(type)});
                 }
                 break;
             case kTypeStruct:
                 for (std::uint32_t i = 0; i + 2 < words.size(); ++i) {
-                    parts.push_back({words[i + 2], declared_.offsets.at({type, i})});
+                    parts.push_back({words[i + 2], offsets_.at({type, i})});
                 }
                 break;
             default:
@@ -222,57 +116,204 @@ private:
         return parts;
     }
 
-    // Unused elements would be initialised one by one: they double the time to compile.
-    void noteUsedLengths(Id type, std::size_t offset) {
-        const std::vector<Part> parts = partsOf(type);
-        const bool isArray = !parts.empty() && opcodeOf(declared_.types.at(type)) == kTypeArray;
-        std::uint32_t used = 1;
-        for (std::uint32_t i = 0; i < parts.size(); ++i) {
-            noteUsedLengths(parts[i].type, offset + parts[i].offset);
-            if (isArray && !isZero(parts[i].type, offset + parts[i].offset)) used = i + 1;
-        }
-        if (isArray) usedLengths_[type] = std::max(usedLengths_[type], used);
-    }
-
-    bool isZero(Id type, std::size_t offset) const {
-        const auto bytes = block_.subspan(offset, sizeOf(type));
-        return std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
-    }
-
-    // Bytes from its start to the end of its last part.
+    // Bytes from the start of a value to the end of its last part.
     std::size_t sizeOf(Id type) const {
         const std::vector<Part> parts = partsOf(type);
         return parts.empty() ? kWordBytes : parts.back().offset + sizeOf(parts.back().type);
     }
 
-    // ---- constants ------------------------------------------------------------------------------
+    Id boolType = 0;
+    Id uintType = 0;
+    Id blockType = 0;
+    std::map<Id, std::uint32_t> numbers;          // value of each integer constant
+    std::map<Id, std::vector<Id>> blockPointers;  // the block's variable and what points into it: the indices
 
-    // What the block holds at `offset`, as a constant of the plain type. Equal ones are declared once.
+private:
+    void note(Words words) {
+        switch (opcodeOf(words)) {
+            case kTypeBool:
+                boolType = words[1];
+                break;
+            case kTypeInt:
+                if (words[2] == 32 && words[3] == 0) uintType = words[1];
+                types_[words[1]] = words;
+                break;
+            case kTypeFloat:
+            case kTypeVector:
+            case kTypeArray:
+            case kTypeStruct:
+                types_[words[1]] = words;
+                break;
+            case kTypePointer:
+                pointees_[words[1]] = words[3];
+                break;
+            case kConstant:
+                numbers[words[2]] = words[3];
+                break;
+            case kVariable:
+                if (words[3] == kUniform) noteBlock(words);
+                break;
+            case kAccessChain:
+            case kInBoundsAccessChain:
+                noteAccessChain(words);
+                break;
+            case kDecorate:
+                if (words[2] == kArrayStride) strides_[words[1]] = words[3];
+                break;
+            case kMemberDecorate:
+                if (words[3] == kOffset) offsets_[{words[1], words[2]}] = words[4];
+                break;
+            default:
+                break;
+        }
+    }
+
+    void noteBlock(Words variable) {
+        assert(blockType == 0);
+        blockType = pointees_.at(variable[1]);
+        blockPointers[variable[2]] = {};
+    }
+
+    void noteAccessChain(Words chain) {
+        const auto base = blockPointers.find(chain[3]);
+        if (base == blockPointers.end()) return;
+        std::vector<Id> path = base->second;
+        append(path, chain.subspan(4));
+        blockPointers[chain[2]] = std::move(path);
+    }
+
+    std::map<Id, Words> types_;
+    std::map<Id, Id> pointees_;
+    std::map<Id, std::uint32_t> strides_;
+    std::map<std::pair<Id, std::uint32_t>, std::uint32_t> offsets_;  // of member i of a struct
+};
+
+class Rewriter {
+public:
+    Rewriter(Words module, std::span<const std::byte> block)
+        : module_(module), block_(block), declared_(module), bound_(module[kBoundWord]) {
+        assert(declared_.sizeOf(declared_.blockType) <= block.size());
+    }
+
+    std::vector<std::uint32_t> run() {
+        std::vector<std::uint32_t> result(module_.begin(), module_.begin() + kHeaderWords);
+        std::vector<std::uint32_t> functions;  // first, for the constants that stand before them
+        forEachInstruction(module_, [&](Words words) {
+            const bool global = functions.empty() && opcodeOf(words) != kFunction;
+            rewrite(words, global ? result : functions);
+        });
+        append(result, constants_);
+        append(result, functions);
+        result[kBoundWord] = bound_;
+        return result;
+    }
+
+private:
+    bool pointsIntoBlock(Id id) const { return declared_.blockPointers.contains(id); }
+
+    void rewrite(Words words, std::vector<std::uint32_t>& out) {
+        switch (opcodeOf(words)) {
+            case kName:
+            case kDecorate:
+                if (!pointsIntoBlock(words[1])) append(out, words);
+                break;
+            case kVariable:
+            case kAccessChain:
+            case kInBoundsAccessChain:
+                if (!pointsIntoBlock(words[2])) append(out, words);
+                break;
+            case kEntryPoint:
+                rewriteEntryPoint(words, out);
+                break;
+            case kLoad:
+                if (pointsIntoBlock(words[3])) rewriteLoad(words, out);
+                else append(out, words);
+                break;
+            default:
+                append(out, words);
+                break;
+        }
+    }
+
+    // The block is no longer among the variables that the entry point lists. They follow its name, the first
+    // word of which with a zero byte is the last.
+    void rewriteEntryPoint(Words words, std::vector<std::uint32_t>& out) {
+        const auto endsText = [](std::uint32_t word) { return (word >> 24) == 0; };
+        const auto interface = std::find_if(words.begin() + 3, words.end(), endsText) + 1;
+        std::vector<std::uint32_t> operands(words.begin() + 1, interface);
+        std::copy_if(interface, words.end(), std::back_inserter(operands),
+                     [this](Id variable) { return !pointsIntoBlock(variable); });
+        append(out, kEntryPoint, operands);
+    }
+
+    void rewriteLoad(Words words, std::vector<std::uint32_t>& out) {
+        const std::vector<Id>& path = declared_.blockPointers.at(words[3]);
+        const Id value = valueAt(declared_.blockType, 0, path, out);
+        append(out, kCopyObject, std::array{words[1], words[2], value});
+    }
+
+    // What the block holds where `path` leads from a value of `type` at `offset`. Selections go to `out`.
+    Id valueAt(Id type, std::size_t offset, std::span<const Id> path, std::vector<std::uint32_t>& out) {
+        if (path.empty()) return constant(type, offset);
+        const std::vector<Declarations::Part> parts = declared_.partsOf(type);
+        const auto follow = [&](const Declarations::Part& part) {
+            return valueAt(part.type, offset + part.offset, path.subspan(1), out);
+        };
+        if (const auto index = declared_.numbers.find(path[0]); index != declared_.numbers.end()) {
+            return follow(parts.at(index->second));
+        }
+        std::vector<Id> values;
+        std::transform(parts.begin(), parts.end(), std::back_inserter(values), follow);
+        return select(path[0], values, typeAt(type, path), out);
+    }
+
+    Id typeAt(Id type, std::span<const Id> path) const {
+        for (const Id index : path) {
+            const auto known = declared_.numbers.find(index);  // all parts are alike if it is not known
+            type = declared_.partsOf(type).at(known != declared_.numbers.end() ? known->second : 0).type;
+        }
+        return type;
+    }
+
+    // values[index]. Whatever equals the last needs no selection: mostly these are the zeros of an array's
+    // free places.
+    Id select(Id index, const std::vector<Id>& values, Id type, std::vector<std::uint32_t>& out) {
+        Id result = values.back();
+        for (std::uint32_t i = 0; i < values.size(); ++i) {
+            if (values[i] == values.back()) continue;
+            const Id number = declare(kConstant, declared_.uintType, {i});
+            const Id isIt = bound_++;
+            append(out, kIEqual, std::array{declared_.boolType, isIt, index, number});
+            const Id selected = bound_++;
+            append(out, kSelect, std::array{type, selected, isIt, values[i], result});
+            result = selected;
+        }
+        return result;
+    }
+
     Id constant(Id type, std::size_t offset) {
-        const std::vector<Part> parts = partsOf(type);
+        const std::vector<Declarations::Part> parts = declared_.partsOf(type);
         if (parts.empty()) {
             std::uint32_t word = 0;
             std::memcpy(&word, block_.data() + offset, kWordBytes);
             return declare(kConstant, type, {word});
         }
-        if (isZero(type, offset)) {
-            return declare(kConstantNull, plainType(type), {});
+        const auto bytes = block_.subspan(offset, declared_.sizeOf(type));
+        if (std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; })) {
+            return declare(kConstantNull, type, {});
         }
         std::vector<Id> constituents;
-        const std::size_t used =
-            opcodeOf(declared_.types.at(type)) == kTypeArray ? usedLengths_.at(type) : parts.size();
-        for (const Part& part : std::span(parts).first(used))
-            constituents.push_back(constant(part.type, offset + part.offset));
-        return declare(kConstantComposite, plainType(type), constituents);
+        for (const auto& part : parts) constituents.push_back(constant(part.type, offset + part.offset));
+        return declare(kConstantComposite, type, constituents);
     }
 
+    // Equal constants are declared once, and so have one id.
     Id declare(Opcode opcode, Id type, const std::vector<std::uint32_t>& operands) {
-        const auto [known, isNew] = constants_.try_emplace({opcode, type, operands}, 0);
+        const auto [known, isNew] = known_.try_emplace({opcode, type, operands}, bound_);
         if (isNew) {
-            known->second = newId();
-            std::vector<std::uint32_t> words{type, known->second};
-            words.insert(words.end(), operands.begin(), operands.end());
-            emit(opcode, words);
+            std::vector<std::uint32_t> words{type, bound_++};
+            append(words, operands);
+            append(constants_, opcode, words);
         }
         return known->second;
     }
@@ -280,11 +321,9 @@ private:
     Words module_;
     std::span<const std::byte> block_;
     Declarations declared_;
-    std::set<Id> blockPointers_;  // the variable, and pointers to parts of it
-    std::map<Id, Id> plainTypes_;
-    std::map<Id, std::uint32_t> usedLengths_;
-    std::map<std::tuple<Opcode, Id, std::vector<std::uint32_t>>, Id> constants_;
-    std::vector<std::uint32_t> result_;
+    Id bound_;
+    std::map<std::tuple<Opcode, Id, std::vector<std::uint32_t>>, Id> known_;
+    std::vector<std::uint32_t> constants_;
 };
 
 }  // namespace

@@ -125,11 +125,11 @@ private:
 };
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation)
-    : Renderer(device, scene, specialisation, layOut(scene, device)) {}
+                   const device::Specialisation& specialisation, Values values)
+    : Renderer(device, scene, specialisation, values, layOut(scene, device)) {}
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation, const SceneLayout& layout)
+                   const device::Specialisation& specialisation, Values values, const SceneLayout& layout)
     : device_(device),
       frame_(scene.frame),
       samples_(scene.samples),
@@ -145,10 +145,12 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     const Stopwatch watch(clocks_.compile);
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
     std::memcpy(constants.data(), &specialisation, sizeof specialisation);
-    // Its values are the shader's own: it compiles in half the time and runs two to four times as fast on
-    // lavapipe.
-    const std::vector<std::uint32_t> shader =
-        gpu::withConstantBlock(render_comp, std::as_bytes(std::span(&layout.block, 1)));
+    std::span<const std::uint32_t> shader = render_comp;
+    std::vector<std::uint32_t> withValues;
+    if (values == Values::asConstants) {
+        withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
+        shader = withValues;
+    }
     kernel_.emplace(device, shader, bindings(layout, scene_, film_), constants);
     // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
     const gpu::Groups corner{0, 0, 0};

@@ -31,6 +31,12 @@ struct Control {
     std::uint32_t tile = 0;  // edge of a tile in pixels; 0: as large as one dispatch may last
 };
 
+// How the values of a scene, but for arrays of more than FEW, reach the shader.
+enum class Values {
+    inUniforms,   // a pipeline serves every scene of the same Specialisation, as turning a knob needs
+    asConstants,  // compiled in: the pipeline is for this scene alone, and the driver folds what it can
+};
+
 // Wall-clock milliseconds on the host, from asking to having.
 struct Clocks {
     double compile = 0.0;  // pipeline and first dispatch, of one workgroup: drivers compile in either
@@ -44,7 +50,7 @@ class Renderer {
 public:
     // Keeps a reference to the device. Throws gpu::DeviceError.
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-             const device::Specialisation& specialisation);
+             const device::Specialisation& specialisation, Values values);
 
     // The same pixels for every tile size. Returns false if it was cancelled.
     bool render(const Control& control);
@@ -55,7 +61,7 @@ private:
     class Pass;
 
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-             const device::Specialisation& specialisation, const SceneLayout& layout);
+             const device::Specialisation& specialisation, Values values, const SceneLayout& layout);
 
     vk::DeviceSize filmBytes(std::uint32_t rows) const;
     void clear(std::uint32_t firstRow, std::uint32_t rows);

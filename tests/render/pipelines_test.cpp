@@ -3,13 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
-#include <vector>
 
-#include "compile/compiled_scene.hpp"
-#include "gpu/constant_block.hpp"
 #include "render/rendering.hpp"
-#include "shaders/render.comp.h"
 
 namespace fringe::testing {
 namespace {
@@ -28,72 +23,38 @@ class Pipelines : public ::testing::TestWithParam<const char*> {};
 
 // Rounding alone may differ, where compilers arrange the same sums otherwise: a few units in the last place
 // of values about 1, except at silhouettes, where one such unit decides what a pixel shows.
-TEST_P(Pipelines, TheGeneralOneGivesTheSamePicture) {
+void expectSamePicture(const image::Image& a, const image::Image& b) {
     constexpr double kRounding = 4e-6;
     constexpr double kSilhouettes = 1e-3;  // of the pixels, as against the reference renderer
-    scene::Scene scene = sceneFile(GetParam());
-    scene.image.width = scene.image.height = 200;
-    const image::Image special = renderOnDevice(scene);
-    const image::Image general = renderOnDevice(scene, generalise);
+    ASSERT_EQ(a.pixels.size(), b.pixels.size());
     std::size_t different = 0;
-    for (std::size_t i = 0; i < special.pixels.size(); ++i) {
-        EXPECT_EQ(special.pixels[i].nonFinite, general.pixels[i].nonFinite);
-        if (distance(special.pixels[i], general.pixels[i]) > kRounding) ++different;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        EXPECT_EQ(a.pixels[i].nonFinite, b.pixels[i].nonFinite);
+        if (distance(a.pixels[i], b.pixels[i]) > kRounding) ++different;
     }
-    EXPECT_LE(static_cast<double>(different), kSilhouettes * static_cast<double>(special.pixels.size()));
+    EXPECT_LE(static_cast<double>(different), kSilhouettes * static_cast<double>(a.pixels.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Pipelines,
-                         ::testing::Values("scenes/thesis/figure-24.json", "scenes/thesis/figure-25.json"));
-
-// ---- the block as constants ---------------------------------------------------------------------
-
-// The first words of instructions and what follows them, after the module's header of five words.
-template <class Visit>
-void forEachInstruction(const std::vector<std::uint32_t>& module, Visit visit) {
-    for (std::size_t at = 5; at < module.size(); at += module[at] >> 16) visit(&module[at]);
+scene::Scene smallScene(const char* path) {
+    scene::Scene scene = sceneFile(path);
+    scene.image.width = scene.image.height = 200;
+    return scene;
 }
 
-constexpr std::uint32_t kOpConstant = 43, kOpVariable = 59, kUniform = 2;
-
-std::vector<std::uint32_t> withBlock(const device::SceneBlock& block) {
-    return gpu::withConstantBlock(render_comp, std::as_bytes(std::span(&block, 1)));
+TEST_P(Pipelines, TheGeneralOneGivesTheSamePicture) {
+    const scene::Scene scene = smallScene(GetParam());
+    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.change = generalise}));
 }
 
-bool hasConstant(const std::vector<std::uint32_t>& module, float value) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    bool found = false;
-    forEachInstruction(module, [&](const std::uint32_t* words) {
-        if ((words[0] & 0xffffU) == kOpConstant && words[0] >> 16 == 4) found = found || words[3] == bits;
-    });
-    return found;
+TEST_P(Pipelines, ValuesInUniformsGiveTheSamePicture) {
+    const scene::Scene scene = smallScene(GetParam());
+    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.values = render::Values::inUniforms}));
 }
 
-TEST(ConstantBlock, LeavesNoUniformVariable) {
-    forEachInstruction(withBlock({}), [](const std::uint32_t* words) {
-        if ((words[0] & 0xffffU) == kOpVariable) {
-            EXPECT_NE(words[3], kUniform);
-        }
-    });
-}
-
-TEST(ConstantBlock, HoldsTheValuesOfTheBlock) {
-    device::SceneBlock block{};
-    block.spheres[2].radius = 0.12345F;
-    block.frame.camera.up.z = -7.625F;
-    const std::vector<std::uint32_t> module = withBlock(block);
-    EXPECT_TRUE(hasConstant(module, 0.12345F));
-    EXPECT_TRUE(hasConstant(module, -7.625F));
-    EXPECT_FALSE(hasConstant(withBlock({}), 0.12345F));
-}
-
-TEST(ConstantBlock, EndsArraysWithTheirLastElementInUse) {
-    device::SceneBlock few{}, many{};
-    few.spheres[0].radius = 1.0F;
-    for (device::Sphere& sphere : many.spheres) sphere.radius = 1.0F;
-    EXPECT_LT(withBlock(few).size() + device::FEW, withBlock(many).size());
-}
+// Gratings; a printed disc; a lens, area light, sky, glass and mirrors; every shape and material.
+INSTANTIATE_TEST_SUITE_P(OnDevice, Pipelines,
+                         ::testing::Values("scenes/thesis/figure-24.json", "scenes/thesis/figure-25.json",
+                                           "tests/cli/room.json", "tests/render/primitives.json"));
 
 }  // namespace
 }  // namespace fringe::testing

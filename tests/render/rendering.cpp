@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "oracle/reference.hpp"
-#include "render/renderer.hpp"
 #include "scene/parse.hpp"
 
 namespace fringe::testing {
@@ -29,14 +28,13 @@ scene::Scene sceneFile(const std::string& path) {
     return scene::parseScene(text.str(), path);
 }
 
-image::Image renderOnDevice(const scene::Scene& scene,
-                            const std::function<void(device::Specialisation&)>& change) {
+image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline) {
     static const gpu::Device device({.selector = wantedDevice(), .validation = true});
     const std::size_t messagesBefore = device.validationMessages().size();
     const compile::CompiledScene compiled = compile::compileScene(scene);
     device::Specialisation constants = compile::specialise(compiled, scene.camera);
-    if (change) change(constants);
-    render::Renderer renderer(device, compiled, constants);
+    pipeline.change(constants);
+    render::Renderer renderer(device, compiled, constants, pipeline.values);
     image::Image picture{scene.image.width, scene.image.height, {}};
     const std::atomic<bool> never{false};
     renderer.render({.cancelled = never,

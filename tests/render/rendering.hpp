@@ -6,6 +6,7 @@
 
 #include "compile/interface.hpp"
 #include "image/image.hpp"
+#include "render/renderer.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::testing {
@@ -13,9 +14,13 @@ namespace fringe::testing {
 // A scene file below the source folder.
 scene::Scene sceneFile(const std::string& path);
 
-// Any message of the validation layer fails the test that runs. `change` may alter the pipeline's constants.
-image::Image renderOnDevice(const scene::Scene& scene,
-                            const std::function<void(device::Specialisation&)>& change = {});
+struct Pipeline {
+    render::Values values = render::Values::asConstants;                 // as `fringe render` has it
+    std::function<void(device::Specialisation&)> change = [](auto&) {};  // of the constants
+};
+
+// Any message of the validation layer fails the test that runs.
+image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline = {});
 
 image::Image renderReference(const scene::Scene& scene);
 

@@ -1,7 +1,3 @@
-// A module is five words of header and then instructions, each with its length and opcode in its first word:
-// names and decorations, then types, constants and variables, then functions. Opcodes and operands are those
-// of the SPIR-V specification 1.5, section 3.
-//
 // Values take the place of loads, instead of a Private variable with an initialiser taking the place of the
 // block, because drivers turn an initialiser into a store per member at the start of the shader: with some
 // 2000 numbers lavapipe then spends longer on those than it saves.
@@ -16,72 +12,20 @@
 #include <tuple>
 #include <utility>
 
+#include "gpu/spirv.hpp"
+
 namespace fringe::gpu {
 namespace {
 
-using Words = std::span<const std::uint32_t>;
-using Id = std::uint32_t;
+using namespace spirv;
 
-enum Opcode : std::uint32_t {
-    kName = 5,
-    kEntryPoint = 15,
-    kTypeBool = 20,
-    kTypeInt = 21,
-    kTypeFloat = 22,
-    kTypeVector = 23,
-    kTypeArray = 28,
-    kTypeStruct = 30,
-    kTypePointer = 32,
-    kConstant = 43,
-    kConstantComposite = 44,
-    kConstantNull = 46,
-    kFunction = 54,
-    kVariable = 59,
-    kLoad = 61,
-    kAccessChain = 65,
-    kInBoundsAccessChain = 66,
-    kDecorate = 71,
-    kMemberDecorate = 72,
-    kCopyObject = 83,
-    kSelect = 169,
-    kIEqual = 170,
-};
-constexpr std::uint32_t kUniform = 2;      // storage class
-constexpr std::uint32_t kArrayStride = 6;  // decorations
-constexpr std::uint32_t kOffset = 35;
-constexpr std::size_t kHeaderWords = 5;
-constexpr std::size_t kBoundWord = 3;  // one more than the largest id
 constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
-
-Opcode opcodeOf(Words instruction) {
-    return static_cast<Opcode>(instruction[0] & 0xffffU);
-}
-
-// Calls `visit` with each instruction, its first word included.
-template <class Visit>
-void forEachInstruction(Words module, Visit visit) {
-    for (std::size_t at = kHeaderWords; at < module.size();) {
-        const std::size_t length = module[at] >> 16;
-        assert(length > 0 && at + length <= module.size());
-        visit(module.subspan(at, length));
-        at += length;
-    }
-}
-
-void append(std::vector<std::uint32_t>& to, Words words) {
-    to.insert(to.end(), words.begin(), words.end());
-}
-
-void append(std::vector<std::uint32_t>& to, Opcode opcode, Words operands) {
-    to.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | opcode);
-    append(to, operands);
-}
 
 // What the module says about its types, its numbers and its uniform block.
 class Declarations {
 public:
     explicit Declarations(Words module) {
-        assert(module[1] >= 0x00010400);  // version
+        assert(module[kVersionWord] >= 0x00010400);
         forEachInstruction(module, [this](Words words) { note(words); });
         assert(blockType != 0 && boolType != 0 && uintType != 0);
     }

@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "gpu/frozen_constants.hpp"
+
 namespace fringe::gpu {
 namespace {
 
@@ -25,13 +27,9 @@ vk::raii::PipelineLayout createLayout(const Device& device, vk::DescriptorSetLay
 
 vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
                                   std::span<const std::uint32_t> constants, vk::PipelineLayout layout) {
-    const vk::raii::ShaderModule module(device.handle(), {{}, spirv.size_bytes(), spirv.data()});
-    std::vector<vk::SpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < constants.size(); ++i) entries.emplace_back(i, i * 4, 4);
-    const vk::SpecializationInfo values(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                        constants.size_bytes(), constants.data());
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                  &values);
+    const std::vector<std::uint32_t> code = withFrozenConstants(spirv, constants);
+    const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, code));
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     return {device.handle(), nullptr,
             vk::ComputePipelineCreateInfo(vk::PipelineCreateFlagBits::eDispatchBase, stage, layout)};
 }

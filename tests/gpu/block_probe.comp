@@ -1,4 +1,4 @@
-// Reads a uniform block in every way that withConstantBlock() knows, and writes what it read: kWords words per
+// Reads a uniform block in every way that withConstantBlock() knows, and writes what it read, 13 words per
 // invocation (constant_block_test.cpp says which).
 #version 460
 #extension GL_EXT_scalar_block_layout : require

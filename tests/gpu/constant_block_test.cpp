@@ -4,14 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
-#include <cstring>
 #include <vector>
 
-#include "gpu/kernel.hpp"
+#include "gpu/probe.hpp"
 #include "shaders/block_probe.comp.h"
 
 namespace fringe::testing {
@@ -19,7 +16,6 @@ namespace {
 
 using Word = std::uint32_t;
 constexpr Word kInvocations = 4;
-constexpr Word kWords = 13;
 
 // block_probe.comp's block, in scalar layout.
 struct Inner {
@@ -59,6 +55,10 @@ Block block() {
     return result;
 }
 
+std::span<const std::byte> bytesOf(const Block& block) {
+    return std::as_bytes(std::span(&block, 1));
+}
+
 // What the shader should write, by the language's own arrays.
 std::vector<Word> expected(const Block& block, Word last) {
     std::vector<Word> words;
@@ -82,36 +82,15 @@ std::vector<Word> expected(const Block& block, Word last) {
     return words;
 }
 
-std::string wantedDevice() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    return selector != nullptr ? selector : "";
-}
-
-// Runs the shader with `uniforms` in its block and gives what it wrote; fails on any message of the
-// validation layer.
-std::vector<Word> run(std::span<const Word> spirv, const Block& uniforms, Word last) {
-    const gpu::Device device({.selector = wantedDevice(), .validation = true});
-    const gpu::Buffer in(device, sizeof uniforms, gpu::Access::hostWrites);
-    const gpu::Buffer out(device, sizeof(Word) * kInvocations * kWords, gpu::Access::hostReads);
-    std::memcpy(in.mapped().data(), &uniforms, sizeof uniforms);
-    const std::array bindings{gpu::Binding{vk::DescriptorType::eUniformBuffer, in.handle(), 0, in.size()},
-                              gpu::Binding{vk::DescriptorType::eStorageBuffer, out.handle(), 0, out.size()}};
-    const gpu::Groups first{0, 0, 0};
-    gpu::Kernel(device, spirv, bindings, {&last, 1}).run({&first, 1}, {1, 1, 1});
-    for (const std::string& message : device.validationMessages()) ADD_FAILURE() << "validation: " << message;
-    std::vector<Word> words(std::size_t{kInvocations} * kWords);
-    std::memcpy(words.data(), out.mapped().data(), out.size());
-    return words;
-}
-
 // The block that the rewritten shader is bound to holds other numbers: it must not be read.
 TEST(ConstantBlockOnDevice, ReadsWhatTheUniformBlockHolds) {
     const Block values = block();
-    const auto constants = gpu::withConstantBlock(block_probe_comp, std::as_bytes(std::span(&values, 1)));
+    const auto constants = gpu::withConstantBlock(block_probe_comp, bytesOf(values));
+    const Block others{};
     for (const Word last : {0U, 1U}) {
         const std::vector<Word> wanted = expected(values, last);
-        EXPECT_EQ(run(block_probe_comp, values, last), wanted);
-        EXPECT_EQ(run(constants, Block{}, last), wanted);
+        EXPECT_EQ(runProbe(block_probe_comp, bytesOf(values), {last}, wanted.size()), wanted);
+        EXPECT_EQ(runProbe(constants, bytesOf(others), {last}, wanted.size()), wanted);
     }
 }
 

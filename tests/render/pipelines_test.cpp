@@ -21,16 +21,14 @@ void generalise(device::Specialisation& constants) {
 
 class Pipelines : public ::testing::TestWithParam<const char*> {};
 
-// Rounding alone may differ, where compilers arrange the same sums otherwise: a few units in the last place
-// of values about 1, except at silhouettes, where one such unit decides what a pixel shows.
-void expectSamePicture(const image::Image& a, const image::Image& b) {
-    constexpr double kRounding = 4e-6;
+// All but a few pixels: at silhouettes a unit in the last place decides what a pixel shows.
+void expectSamePicture(const image::Image& a, const image::Image& b, double tolerance) {
     constexpr double kSilhouettes = 1e-3;  // of the pixels, as against the reference renderer
     ASSERT_EQ(a.pixels.size(), b.pixels.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         EXPECT_EQ(a.pixels[i].nonFinite, b.pixels[i].nonFinite);
-        if (distance(a.pixels[i], b.pixels[i]) > kRounding) ++different;
+        if (distance(a.pixels[i], b.pixels[i]) > tolerance) ++different;
     }
     EXPECT_LE(static_cast<double>(different), kSilhouettes * static_cast<double>(a.pixels.size()));
 }
@@ -41,14 +39,20 @@ scene::Scene smallScene(const char* path) {
     return scene;
 }
 
+// The same sums: 4e-6 is a few units in the last place of values about 1, should a compiler arrange them
+// otherwise.
 TEST_P(Pipelines, TheGeneralOneGivesTheSamePicture) {
     const scene::Scene scene = smallScene(GetParam());
-    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.change = generalise}));
+    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.change = generalise}), 4e-6);
 }
 
+// What the compiler folds it rounds as the processor does, not as the driver's own square roots and quotients
+// do; a pattern multiplies such differences by its phase, up to 1e-4 (reference_test.cpp derives it for the
+// gratings).
 TEST_P(Pipelines, ValuesInUniformsGiveTheSamePicture) {
     const scene::Scene scene = smallScene(GetParam());
-    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.values = render::Values::inUniforms}));
+    expectSamePicture(renderOnDevice(scene), renderOnDevice(scene, {.values = render::Values::inUniforms}),
+                      1e-4);
 }
 
 // Gratings; a printed disc; a lens, area light, sky, glass and mirrors; every shape and material.

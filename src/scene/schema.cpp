@@ -14,6 +14,7 @@
 
 #include "scene/parse.hpp"
 #include "scene/wording.hpp"
+#include "schema_text.hpp"
 
 namespace fringe::scene {
 namespace {
@@ -308,6 +309,10 @@ Schema readSchema(std::string_view text) {
     const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder{}.newCharReader());
     if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors)) refuse("text", errors);
     return Reader(root).read(root);
+}
+
+std::string_view schemaText() {
+    return embedded::schema;
 }
 
 const Schema& sceneSchema() {

@@ -17,6 +17,15 @@ END = "<!-- End of what docs/scene_format.py writes. -->\n"
 
 SCHEMA = json.loads((ROOT / "scenes" / "fringe.schema.json").read_text(encoding="utf-8"))
 
+# What many keys share has a section of its own at the end of the page.
+SHARED = {
+    "spectrum": "Spectra",
+    "simple_spectrum": "Spectra",
+    "reflectance": "Curves",
+    "efficiency_curve": "Curves",
+    "efficiencies": "Efficiencies",
+}
+
 
 def resolved(schema):
     """The schema with its $ref followed; the keywords beside the $ref win."""
@@ -26,6 +35,16 @@ def resolved(schema):
     for segment in schema["$ref"].removeprefix("#/").split("/"):
         target = target[segment]
     return {**resolved(target), **{key: value for key, value in schema.items() if key != "$ref"}}
+
+
+def shared_heading(schema):
+    """The heading of the section that describes what the schema refers to, if that is shared by many keys."""
+    while "$ref" in schema:
+        name = schema["$ref"].rsplit("/", 1)[1]
+        if name in SHARED:
+            return SHARED[name]
+        schema = SCHEMA["$defs"].get(name, {})
+    return None
 
 
 def without_article(title):
@@ -41,7 +60,10 @@ def heading_anchor(title):
 
 
 def type_of(schema):
+    shared = shared_heading(schema)
     schema = resolved(schema)
+    if shared:
+        return f"[{without_article(schema['title'])}]({heading_anchor(shared)})"
     if "const" in schema:
         return code(schema["const"])
     if "enum" in schema:
@@ -59,9 +81,9 @@ def type_of(schema):
 
 
 def is_section(schema):
-    """Whether a schema has a section of its own: it is an object, or a choice of objects."""
+    """Whether a schema has a section of its own: it is an object, or a choice with objects."""
     if "oneOf" in schema:
-        return all(is_section(resolved(alternative)) for alternative in schema["oneOf"])
+        return any(is_section(resolved(alternative)) for alternative in schema["oneOf"])
     return schema.get("type") == "object" and "properties" in schema
 
 
@@ -82,8 +104,12 @@ def range_of(schema):
     return ", ".join(f"{sign} {bound}" for sign, bound in bounds.items())
 
 
-def table(properties, required):
+def table(properties, required, entries=None):
+    """The keys of an object; `entries` are the names and the values under any other key."""
     rows = ["| key | value | default | range | meaning |", "|---|---|---|---|---|"]
+    if entries:
+        names, values = entries
+        rows.append(f"| {names['title']}, as {code(names['examples'][0])} | {type_of(values)} |  |  | {values['description']} |")
     for name, schema in properties.items():
         full = resolved(schema)
         if name in required:
@@ -100,15 +126,20 @@ def sections_below(properties):
     """Of the values that are objects themselves, each described where it is first used."""
     for schema in properties.values():
         full = resolved(schema)
-        if is_section(full) or full.get("type") == "array":
-            yield from section(full if is_section(full) else resolved(full["items"]), level=4)
+        if shared_heading(schema):
+            continue
+        if is_section(full):
+            yield from section(full, level=4)
+        elif full.get("type") == "array" and is_section(resolved(full["items"])):
+            item = resolved(full["items"])
+            yield from section(item, level=4, title=without_article(item["title"]) + "s")
 
 
 def shared(alternatives):
-    """The keys that all alternatives have and define alike, apart from the constant of "type"."""
+    """The keys that all alternatives have and define alike, apart from those which tell them apart."""
     first, *others = (alternative["properties"] for alternative in alternatives)
     return {key: schema for key, schema in first.items()
-            if key != "type" and all(other.get(key) == schema for other in others)}
+            if "const" not in schema and all(other.get(key) == schema for other in others)}
 
 
 def section(schema, level, title=None):
@@ -121,22 +152,33 @@ def section(schema, level, title=None):
     if "oneOf" in schema:
         yield from choice(schema, level)
     else:
-        yield table(schema["properties"], schema.get("required", []))
+        entries = (schema["propertyNames"], schema["additionalProperties"]) if schema["additionalProperties"] else None
+        yield table(schema["properties"], schema.get("required", []), entries)
         yield from sections_below(schema["properties"])
 
 
 def choice(schema, level):
-    alternatives = [resolved(alternative) for alternative in schema["oneOf"]]
-    types = [alternative["properties"]["type"] for alternative in alternatives]
-    names = [code(entry["const"]) + (" (the default)" if "default" in entry else "") for entry in types]
-    common = shared(alternatives)
-    yield f"`\"type\"` is one of {', '.join(names)}.\n"
+    every = [resolved(alternative) for alternative in schema["oneOf"]]
+    alternatives = [alternative for alternative in every if is_section(alternative)]
+    key = next(name for name, value in alternatives[0]["properties"].items() if "const" in value)
+    entries = [alternative["properties"][key] for alternative in alternatives]
+    names = [code(entry["const"]) + (" (the default)" if "default" in entry else "") for entry in entries]
+    one_of = f"{code(key)} is one of {', '.join(dict.fromkeys(names))}."
+    if len(alternatives) < len(every):
+        plain = "; or ".join(f"{type_of(alternative)}, {range_of(alternative)}".removesuffix(", ")
+                             for alternative in every if not is_section(alternative))
+        yield f"Either {plain}; or an object, whose {one_of}\n"
+    else:
+        yield one_of + "\n"
+    common = shared(alternatives) if len(alternatives) > 1 else {}
     if common:
         yield "All have these keys:\n"
         yield table(common, alternatives[0].get("required", []))
-    for alternative in alternatives:
-        own = {key: value for key, value in alternative["properties"].items() if key != "type" and key not in common}
-        yield f"{'#' * (level + 1)} `{alternative['properties']['type']['const']}`\n"
+    for alternative, entry in zip(alternatives, entries):
+        own = {name: value for name, value in alternative["properties"].items() if name != key and name not in common}
+        alike = [value["const"] for name, value in own.items() if "const" in value]
+        heading = f"`{entry['const']}`" + "".join(f", model `{const}`" for const in alike)
+        yield f"{'#' * (level + 1)} {heading}\n"
         if "description" in alternative:
             yield alternative["description"] + "\n"
         yield table(own, alternative.get("required", []))
@@ -151,6 +193,9 @@ def generated():
     yield from section(resolved(SCHEMA["properties"]["materials"]["additionalProperties"]), level=2, title="materials")
     yield from section(resolved(SCHEMA["properties"]["objects"]["items"]), level=2, title="objects")
     yield from section(resolved(SCHEMA["properties"]["lights"]["items"]), level=2, title="lights")
+    yield from section(SCHEMA["$defs"]["spectrum"], level=2, title="spectra")
+    yield from section(SCHEMA["$defs"]["reflectance"], level=2, title="curves")
+    yield from section(SCHEMA["$defs"]["efficiencies"], level=2)
 
 
 def main():

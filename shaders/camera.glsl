@@ -18,5 +18,7 @@ Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
     } else {
         direction = normalize(camera.forward + onPlane);
     }
-    return Path(origin, direction, vec3(1.0), 0u);
+    Throughput full;
+    for (uint k = 0u; k < BANDS; ++k) full.band[k] = 1.0;
+    return Path(origin, direction, full, 0u, 0.0);
 }

@@ -1,6 +1,7 @@
 // Every byte that host and device share, written once: included by GLSL (scalar block layout) and by C++
 // inside namespace fringe::device (src/compile/interface.hpp). No bool, no padding, no matrices.
-// Lengths are metres unless a suffix says otherwise; colours are linear sRGB; directions are unit vectors.
+// Lengths are metres unless a suffix says otherwise; directions are unit vectors. A light is a number of watts and a row of
+// spectra, a surface a row of reflectances; colours are CIE XYZ of both together (tables, src/compile/spectral.hpp).
 
 struct Camera {
     vec3 position;
@@ -22,13 +23,18 @@ struct Frame {
     uint height;
     uint filmWidth;      // the picture's, rounded up to whole workgroups; the shader never asks where the picture ends
     uint seed;
-    vec3 environment;    // radiance
+    float environment;   // radiance
+    uint environmentSpectrum;
+    uint reflectanceCount;
+    uint metals;         // where the refractive indices begin in the tables
+    float pixelAngle;    // width of a sample's share of a pixel: this times the distance, plus pixelWidth
+    float pixelWidth;
 };
 
 // Running sum over the samples taken so far, zero at first; the count is in the low 31 bits of state, and NON_FINITE is
 // set once any sample was 0/0 by a formula that the scene asked for as printed.
 struct FilmPixel {
-    vec3 sum;
+    vec3 sum;            // CIE XYZ
     uint state;
 };
 
@@ -107,11 +113,13 @@ const uint DIELECTRIC = 3u;
 const uint EMISSIVE = 4u;
 const uint THESIS_DISC = 5u;
 
-// One record for every kind: what `color` and `second` mean depends on it.
+// One record for every kind: what `value` and `row` mean depends on it.
 struct Material {
     uint kind;
-    vec3 color;          // reflectance | n | ior in x | radiance | pattern colour
-    vec3 second;         // - | k | - | x: 1 if two-sided | x: mirror reflectance
+    float value;         // factor on the reflectance | - | refractive index | radiance | mirror reflectance
+    uint row;            // reflectance | metal | - | spectrum | -
+    uint twoSided;       // EMISSIVE
+    vec3 color;          // THESIS_DISC: linear sRGB
     ThesisAperture aperture;  // THESIS_DISC
 };
 
@@ -129,7 +137,8 @@ struct Light {
     vec3 direction;      // the way the light goes; normal of a flat area light
     vec3 u;              // half edges of a rectangle, radius vectors of a disc
     vec3 v;
-    vec3 emission;       // radiant intensity | irradiance | radiance
+    float emission;      // radiant intensity | irradiance | radiance
+    uint spectrum;
     float area;          // of a flat area light
     float radius;        // of a sphere
     float cosOuter;
@@ -145,9 +154,61 @@ struct ThesisGrating {
     vec3 slitDirection;
     float radius;        // half the beam's diameter
     float attenuation;   // 1 / radius^2, or 0 for a band of even brightness
-    vec3 color;          // times power
+    vec3 color;          // times power; linear sRGB
     ThesisAperture aperture;
 };
+
+const uint FLAT_BEAM = 0u;      // a disc
+const uint GAUSSIAN_BEAM = 1u;
+const uint RECTANGULAR_BEAM = 2u;
+
+// Slits in a beam, physically (docs/theory.md). Lengths in the plane of the slits; the aperture's frame is across, along,
+// normal, and the light leaves with direction cosines alpha, beta, gamma along these.
+struct SlitGrating {
+    vec3 position;
+    vec3 across;
+    vec3 along;
+    vec3 normal;
+    float alphaIn;       // direction cosines of the beam
+    float betaIn;
+    uint profile;
+    float halfWidth;     // of the beam, across the slits; Gaussian: 1/e^2 radius
+    float halfHeight;    // likewise along them
+    float halfSlits;     // half of what the slits cover: count period / 2
+    float convergence;   // 1 / distance of the beam's focus; 0 for a collimated beam
+    float angularSize;   // of the source
+    float irradiance;    // power per area that leaves the middle of the slits
+    uint isWide;         // 1: the undeviated light is followed apart from the response
+    uint linesAreImages; // 1: a line's orders are images of the beam; 0: the far field of the slits
+    float count;
+    float width_um;
+    float period_um;
+    float firstU;        // of the response table, which is in steps of 1 / perU
+    float perU;
+    uint entries;
+    uint response;       // in the tables: for each reflectance, for the sum of all bands and each band, density and prefix sum
+    uint lines;          // in the tables: for each reflectance, wavelengths that are followed one by one
+    uint lineCount;
+    uint zeroOrder;      // likewise, wavelengths that stand for the undeviated beam's continuous spectrum
+    uint zeroOrderCount;
+};
+
+// Bands that the visible range is cut into where surfaces on a path have colours of their own, and at the edges of a beam.
+// Their weights are hats: 1 in the band's middle, 0 in its neighbours'; the first and last reach to the ends of the range.
+// Where the reflectances of gold and copper climb the middles are 5 nm apart, below 10 nm and above 12.5 nm.
+const uint SPECTRAL_BANDS = 41u;
+const float FIRST_BAND_um = 0.4;
+const float LOW_STEP_um = 0.01;
+const uint LOW_STEPS = 8u;
+const float MIDDLE_STEP_um = 0.005;
+const uint MIDDLE_STEPS = 24u;
+const float HIGH_STEP_um = 0.0125;
+
+// Side lobes of the undeviated beam that are followed; what lies beyond is in the response table.
+const float ZERO_ORDER_LOBES = 30.0;
+
+// Step of the wavelengths that stand for the undeviated beam.
+const float ZERO_ORDER_STEP_um = 0.005;
 
 const uint NON_FINITE = 0x80000000u;
 
@@ -171,4 +232,5 @@ struct SceneBlock {
     Material materials[FEW];
     Light lights[FEW];
     ThesisGrating gratings[FEW];
+    SlitGrating slitGratings[FEW];
 };

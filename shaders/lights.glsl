@@ -4,7 +4,7 @@
 struct Incident {
     vec3 direction;    // unit, towards the light
     float distance;    // to where the shadow ray ends
-    vec3 irradiance;   // 0 where the light does not reach
+    float irradiance;  // 0 where the light does not reach
 };
 
 // A point uniform on the unit disc, or on the ring from sqrt(innerRatioSquared) to 1. Concentric (P. Shirley and
@@ -29,7 +29,7 @@ void completeFrame(vec3 n, out vec3 t, out vec3 b) {
     b = vec3(c, side + n.y * n.y * a, -n.y);
 }
 
-Incident fromPoint(vec3 intensity, vec3 offset, vec3 normal) {
+Incident fromPoint(float intensity, vec3 offset, vec3 normal) {
     float squared = dot(offset, offset);
     vec3 direction = offset * inversesqrt(squared);
     return Incident(direction, sqrt(squared), intensity * (max(dot(direction, normal), 0.0) / squared));
@@ -52,7 +52,7 @@ Incident fromFlatArea(Light light, vec3 point, vec3 offset, vec3 normal) {
     vec3 direction = toPoint * inversesqrt(squared);
     float cosine = -dot(direction, light.direction);
     if (decided(light.twoSided) != 0u) cosine = abs(cosine);
-    vec3 irradiance = light.emission * (max(cosine, 0.0) * max(dot(direction, normal), 0.0) * light.area / squared);
+    float irradiance = light.emission * (max(cosine, 0.0) * max(dot(direction, normal), 0.0) * light.area / squared);
     return Incident(direction, sqrt(squared), irradiance);
 }
 
@@ -62,7 +62,7 @@ Incident fromSphere(Light light, vec3 offset, vec3 normal, vec2 random) {
     float radiusSquared = light.radius * light.radius;
     vec3 direction;
     float distance_;
-    vec3 irradiance;
+    float irradiance;
     if (squared > radiusSquared) {
         float sinMax2 = radiusSquared / squared;
         float oneMinusCosMax = sinMax2 / (1.0 + sqrt(1.0 - sinMax2));   // 1 - cos without cancellation
@@ -93,7 +93,7 @@ Incident fromSphere(Light light, vec3 offset, vec3 normal, vec2 random) {
 }
 
 // Cosine-weighted over the hemisphere: the estimate is pi times the radiance.
-Incident fromEnvironment(vec3 radiance, vec3 normal, vec2 random) {
+Incident fromEnvironment(float radiance, vec3 normal, vec2 random) {
     vec2 disc = sampleRing(random, 0.0);
     vec3 t, b;
     completeFrame(normal, t, b);

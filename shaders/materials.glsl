@@ -1,19 +1,19 @@
 // What surfaces do to light: Fresnel's equations for metals and glass (unpolarised).
 
-// Reflectance of a metal with complex refractive index n + i k, per channel, seen under cosTheta
+// Reflectance of a metal with complex refractive index n + i k, seen under cosTheta
 // (Born & Wolf, Principles of Optics, 14.4; the closed form over real numbers).
-vec3 fresnelConductor(float cosTheta, vec3 n, vec3 k) {
+float fresnelConductor(float cosTheta, float n, float k) {
     float cos2 = cosTheta * cosTheta;
     float sin2 = 1.0 - cos2;
-    vec3 difference = n * n - k * k - sin2;
-    vec3 a2PlusB2 = sqrt(difference * difference + 4.0 * n * n * k * k);
-    vec3 a = sqrt(max(0.5 * (a2PlusB2 + difference), 0.0));
-    vec3 s1 = a2PlusB2 + cos2;
-    vec3 s2 = 2.0 * cosTheta * a;
-    vec3 rs = (s1 - s2) / (s1 + s2);
-    vec3 p1 = cos2 * a2PlusB2 + sin2 * sin2;
-    vec3 p2 = s2 * sin2;
-    vec3 rp = rs * (p1 - p2) / (p1 + p2);
+    float difference = n * n - k * k - sin2;
+    float a2PlusB2 = sqrt(difference * difference + 4.0 * n * n * k * k);
+    float a = sqrt(max(0.5 * (a2PlusB2 + difference), 0.0));
+    float s1 = a2PlusB2 + cos2;
+    float s2 = 2.0 * cosTheta * a;
+    float rs = (s1 - s2) / (s1 + s2);
+    float p1 = cos2 * a2PlusB2 + sin2 * sin2;
+    float p2 = s2 * sin2;
+    float rp = rs * (p1 - p2) / (p1 + p2);
     return 0.5 * (rs + rp);
 }
 

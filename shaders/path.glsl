@@ -8,13 +8,14 @@ const float LEAST_THROUGHPUT = 1.0 / 4096.0;
 struct Path {
     vec3 origin;
     vec3 direction;
-    vec3 throughput;
+    Throughput throughput;
     uint depth;         // mirror and glass surfaces passed so far
+    float travelled;
 };
 
 // Everything that a sample accumulates on its way.
 struct Sample {
-    vec3 radiance;
+    vec3 radiance;      // CIE XYZ
     bool nonFinite;
     uint pixelSeed;
     uint index;
@@ -27,33 +28,50 @@ struct Sample {
 uint candidates(uint first, vec3 position) {
     uint lightsHere = lightCount();
     uint bits = 0u;
-    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW) {          // all in the first 32, at constant places
+    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW &&
+        LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT <= 32u) {      // all in the first 32, at constant places
         bits = (1u << LIGHT_COUNT) - 1u;
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
             if (reachesBand(gratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + i);
         }
+        [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
+            if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + GRATING_COUNT + i);
+        }
     } else {
-        uint last = min(lightsHere + gratingCount(), first + 32u);
+        uint thesis = lightsHere + gratingCount();
+        uint last = min(thesis + slitGratingCount(), first + 32u);
         for (uint i = first; i < min(last, lightsHere); ++i) bits |= 1u << (i - first);
-        for (uint i = max(first, lightsHere); i < last; ++i) {
+        for (uint i = max(first, lightsHere); i < min(last, thesis); ++i) {
             if (reachesBand(gratingAt(i - lightsHere), position)) bits |= 1u << (i - first);
+        }
+        for (uint i = max(first, thesis); i < last; ++i) {
+            if (reachesSlits(slitGratingAt(i - thesis), position)) bits |= 1u << (i - first);
         }
     }
     return bits;
 }
 
-// Light i at a diffuse surface, unless something is in the way. Gratings give their value as it is (thesis model);
-// others go through the Lambertian BRDF.
-void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, vec3 throughput,
-              inout Sample sample_) {
+// Light i at a diffuse surface, unless something is in the way. Gratings of the thesis give their value as it is; others
+// go through the Lambertian BRDF.
+void addLight(uint i, Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
+    float brdf = material.value * 0.318309886;
     vec3 direction;
     float distance_;
     vec3 value;
     bool nonFinite = false;
-    if (GRATING_COUNT > 0u && i >= lightCount()) {
+    if (SLIT_GRATING_COUNT > 0u && i >= lightCount() + gratingCount()) {
+        SlitGrating grating = slitGratingAt(i - lightCount() - gratingCount());
+        vec3 offset = surface.position - grating.position;
+        float pixel = scene.frame.pixelAngle * (path.travelled + travelled) + scene.frame.pixelWidth;
+        value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        vec3 from = grating.position + clamp(viewFrom(grating, offset).footY, -grating.halfHeight, grating.halfHeight) * grating.along;
+        direction = from - surface.position;
+        distance_ = length(direction);
+        direction /= distance_;
+    } else if (GRATING_COUNT > 0u && i >= lightCount()) {
         ThesisGrating grating = gratingAt(i - lightCount());
         vec3 offset = surface.position - grating.position;
-        value = thesisGratingValue(grating, offset, nonFinite);
+        value = xyzFromLinearSrgb(thesisGratingValue(grating, offset, nonFinite) * throughputOfPrimaries(path.throughput));
         distance_ = length(offset);
         direction = -offset / distance_;
     } else if (LIGHT_COUNT > 0u) {
@@ -62,7 +80,8 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, 
             random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
         }
         Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
-        value = brdf * incident.irradiance;
+        value = vec3(0.0);
+        if (incident.irradiance > 0.0) value = brdf * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
         distance_ = incident.distance;
         direction = incident.direction;
     }
@@ -70,19 +89,17 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, vec3 brdf, 
     // The last 1e-4 of the way is the light's own surface.
     bool lit = max(max(value.x, value.y), value.z) > 0.0 || nonFinite;
     if (lit && !occluded(leave(surface.position, side, travelled), direction, distance_ * 0.9999)) {
-        sample_.radiance += throughput * value;
+        sample_.radiance += value;
         sample_.nonFinite = sample_.nonFinite || nonFinite;
     }
 }
 
-void addDirectLight(Surface surface, vec3 normal, float travelled, vec3 reflectance, vec3 throughput,
-                    inout Sample sample_) {
-    if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u) return;
-    uint count = lightCount() + gratingCount();
+void addDirectLight(Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
+    if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u && SLIT_GRATING_COUNT == 0u) return;
+    uint count = lightCount() + gratingCount() + slitGratingCount();
     for (uint first = 0u; first < count; first += 32u) {
         for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
-            addLight(first + uint(findLSB(bits)), surface, normal, travelled, reflectance * 0.318309886, throughput,
-                     sample_);
+            addLight(first + uint(findLSB(bits)), surface, normal, travelled, material, path, sample_);
         }
     }
     sample_.dimension += lightCount();
@@ -96,7 +113,9 @@ void tracePath(Path path, inout Sample sample_) {
         bool alive = false;
         Hit hit = nearestHit(path.origin, path.direction);
         if (hit.kind == NOTHING) {
-            if (HAS_ENVIRONMENT != 0u) sample_.radiance += path.throughput * scene.frame.environment;
+            if (HAS_ENVIRONMENT != 0u) {
+                sample_.radiance += scene.frame.environment * seen(path.throughput, scene.frame.environmentSpectrum, 0u);
+            }
         } else {
             Surface surface = surfaceAt(hit, path.origin, path.direction);
             Material material = materialAt(surface.material);
@@ -105,48 +124,59 @@ void tracePath(Path path, inout Sample sample_) {
             vec3 normal = facing < 0.0 ? surface.normal : -surface.normal;   // towards the eye
 
             if (HAS_DIFFUSE != 0u && kind == DIFFUSE) {
-                addDirectLight(surface, normal, hit.t, material.color, path.throughput, sample_);
+                addDirectLight(surface, normal, hit.t, material, path, sample_);
             } else if (HAS_EMITTERS != 0u && kind == EMISSIVE) {
-                if (facing < 0.0 || decided(floatBitsToUint(material.second.x)) != 0u) sample_.radiance += path.throughput * material.color;
+                if (facing < 0.0 || decided(material.twoSided) != 0u) {
+                    sample_.radiance += material.value * seen(path.throughput, material.row, 0u);
+                }
             } else if (HAS_DIELECTRICS != 0u && kind == DIELECTRIC) {
                 alive = path.depth < MAX_DEPTH;
                 if (alive) {
-                    float eta = facing < 0.0 ? material.color.x : 1.0 / material.color.x;
+                    float eta = facing < 0.0 ? material.value : 1.0 / material.value;
                     float cosTransmitted;
                     float reflectance = fresnelDielectric(abs(facing), eta, cosTransmitted);
                     vec3 reflected = path.direction + 2.0 * abs(facing) * normal;
                     vec3 refracted = path.direction / eta + (abs(facing) / eta - cosTransmitted) * normal;
+                    float travelled = path.travelled + hit.t;
                     Path reflection = Path(leave(surface.position, normal, hit.t), normalize(reflected),
-                                           path.throughput * reflectance, path.depth + 1u);
+                                           scaled(path.throughput, reflectance), path.depth + 1u, travelled);
                     Path refraction = Path(leave(surface.position, -normal, hit.t), normalize(refracted),
-                                           path.throughput * (1.0 - reflectance), path.depth + 1u);
+                                           scaled(path.throughput, 1.0 - reflectance), path.depth + 1u, travelled);
                     if (reflectance < 1.0) {
-                        vec3 size = reflection.throughput;
-                        if (max(max(size.x, size.y), size.z) >= LEAST_THROUGHPUT) waiting[waitingCount++] = reflection;
+                        if (largest(reflection.throughput) >= LEAST_THROUGHPUT) waiting[waitingCount++] = reflection;
                         path = refraction;
                     } else {
                         path = reflection;
                     }
-                    vec3 size = path.throughput;
-                    alive = max(max(size.x, size.y), size.z) >= LEAST_THROUGHPUT;
+                    alive = largest(path.throughput) >= LEAST_THROUGHPUT;
                 }
             } else if (HAS_CONDUCTORS != 0u || HAS_THESIS_DISCS != 0u) {
-                vec3 reflectance;
                 if (HAS_THESIS_DISCS != 0u && kind == THESIS_DISC) {
                     bool nonFinite = false;
                     vec3 pattern = thesisDiscValue(material.aperture, surface.local, surface.normal,
                                                    path.direction, nonFinite);
-                    sample_.radiance += path.throughput * material.color * pattern;
+                    pattern *= material.color * throughputOfPrimaries(path.throughput);
+                    sample_.radiance += xyzFromLinearSrgb(pattern);
                     sample_.nonFinite = sample_.nonFinite || nonFinite;
-                    reflectance = vec3(material.second.x);
+                    path.throughput = scaled(path.throughput, material.value);
                 } else {
-                    reflectance = fresnelConductor(abs(facing), material.color, material.second);
+                    // Bands are interpolated between linearly: a sixteenth of the second difference halves the error.
+                    uint first = scene.frame.metals + 2u * material.row * BANDS;
+                    float here = fresnelConductor(abs(facing), tables[first], tables[first + 1u]);
+                    float before = here;
+                    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
+                        uint next = first + 2u * min(k + 1u, BANDS - 1u);
+                        float after = fresnelConductor(abs(facing), tables[next], tables[next + 1u]);
+                        path.throughput.band[k] *= here - 0.0625 * (before - 2.0 * here + after);
+                        before = here;
+                        here = after;
+                    }
                 }
                 alive = path.depth < MAX_DEPTH;
                 path.direction += 2.0 * abs(facing) * normal;
                 path.direction = normalize(path.direction);
                 path.origin = leave(surface.position, normal, hit.t);
-                path.throughput *= reflectance;
+                path.travelled += hit.t;
                 path.depth += 1u;
             }
         }

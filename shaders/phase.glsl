@@ -25,3 +25,59 @@ float arrayFactor(float t, float count) {
     float quotient = ratio * sinPiOverX(reduced * reduced) / sinPiOverX(r * r);
     return quotient * quotient;
 }
+
+// sin(pi x)/(pi x); error 2e-7.
+float sincOf(float x) {
+    float reduced = x - roundEven(x);
+    float sign_ = (int(roundEven(x)) & 1) == 0 ? 1.0 : -1.0;
+    float ratio = abs(x) <= 0.5 ? 1.0 : sign_ * reduced / x;
+    return ratio * sinPiOverX(reduced * reduced) * 0.318309886;
+}
+
+// ---- two floats for one number --------------------------------------------------------------------------------------
+// At 10^4 slits and more, t = u * period/wavelength in one float is off by whole side lobes. Numbers here are vec2(high,
+// low), low below half a unit in the last place of high. Every step is `precise`: none may be merged or reordered. There
+// is no fma(), which drivers need not fuse.
+
+// a * b less `product`, its rounded value, exactly (T. J. Dekker, "A floating-point technique for extending the available
+// precision", Numerische Mathematik 18, 224, 1971). For |a|, |b| below 2^115, and products above 2^-102.
+float productError(float a, float b, float product) {
+    precise float scaled = 4097.0 * a;                     // splits off the upper 12 of 24 bits
+    precise float aHigh = scaled - (scaled - a);
+    precise float aLow = a - aHigh;
+    scaled = 4097.0 * b;
+    precise float bHigh = scaled - (scaled - b);
+    precise float bLow = b - bHigh;
+    precise float error = ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+    return error;
+}
+
+// What u * perUnit turns are past the nearest whole number: |high| <= 1/2.
+vec2 turnsPastOrder(float u, vec2 perUnit) {
+    precise float turns = u * perUnit.x;
+    precise float low = productError(u, perUnit.x, turns) + u * perUnit.y;
+    precise float high = turns - roundEven(turns);         // exact
+    return vec2(high, low);
+}
+
+// The same of a scalar product, u.x * (x.high + x.low) + u.y * (y.high + y.low) turns.
+vec2 turnsPastOrder(vec2 u, vec2 perX, vec2 perY) {
+    vec2 x = turnsPastOrder(u.x, perX), y = turnsPastOrder(u.y, perY);
+    precise float sum = x.x + y.x;
+    precise float rounded = sum - x.x;
+    precise float low = ((x.x - (sum - rounded)) + (y.x - rounded)) + (x.y + y.y);   // D. E. Knuth's exact sum
+    precise float high = sum - roundEven(sum);
+    return vec2(high, low);
+}
+
+// N slits relative to their peak, (sin(N pi t)/(N sin(pi t)))^2, at `past` turns past an order; below 1e-6 off for N up
+// to 10^6.
+float fejer(vec2 past, float count) {
+    precise float r = past.x + past.y;
+    precise float rLow = 0.0;
+    precise float p = count * r;
+    precise float reduced = (p - roundEven(p)) + (productError(count, r, p) + count * rLow);
+    float quotient = abs(p) <= 0.5 ? 1.0 : reduced / p;    // r cancels near an order: no 0/0
+    quotient *= sinPiOverX(reduced * reduced) / sinPiOverX(r * r);
+    return quotient * quotient;
+}

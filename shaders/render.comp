@@ -1,37 +1,7 @@
-// The renderer: one invocation takes one sample of one pixel and adds it to the film. Samples are dispatched in their
-// order, so the sum depends neither on tiles nor on batches.
+// The renderer for scenes where the light on the way to the eye keeps its colour: no metals.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
-#include "bindings.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
-
-#include "sampler.glsl"
-#include "phase.glsl"
-#include "thesis.glsl"
-#include "shapes.glsl"
-#include "trace.glsl"
-#include "materials.glsl"
-#include "lights.glsl"
-#include "path.glsl"
-#include "camera.glsl"
-
-void main() {
-    uint x = gl_GlobalInvocationID.x;
-    uint y = firstRow + gl_GlobalInvocationID.y;
-    uint sampleIndex = gl_WorkGroupID.z;
-    uint pixel = gl_GlobalInvocationID.y * scene.frame.filmWidth + x;
-    uint pixelSeed = hashMix(hashCombine(hashMix(y * scene.frame.width + x), scene.frame.seed));
-
-    vec2 within = vec2(0.5);
-    if (HAS_SEVERAL_SAMPLES != 0u) within = samplePair(pixelSeed, sampleIndex, 0u);
-    Sample sample_ = Sample(vec3(0.0), false, pixelSeed, sampleIndex, 2u);
-    tracePath(cameraRay(vec2(x, y) + within, pixelSeed, sampleIndex), sample_);
-
-    FilmPixel result = film[pixel];
-    result.sum += sample_.radiance;
-    result.state += 1u;
-    if (sample_.nonFinite) result.state |= NON_FINITE;
-    film[pixel] = result;
-}
+#define BANDS 1u
+#include "render.glsl"

@@ -33,4 +33,9 @@
     X(28, RECTANGLE_CASTERS)      \
     X(29, DISC_CASTERS)           \
     X(30, TRIANGLE_CASTERS)       \
-    X(31, MATERIAL_COUNT)
+    X(31, MATERIAL_COUNT)         \
+    X(32, SLIT_GRATING_COUNT)     \
+    X(33, HAS_SLIT_LINES)         \
+    X(34, HAS_SLIT_CONTINUUM)     \
+    X(35, HAS_WIDE_GRATINGS)      \
+    X(36, HAS_GAUSSIAN_BEAMS)

@@ -1,8 +1,8 @@
 // fringe compare: how far two pictures are apart; the exit status is a verdict for scripts.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/report.hpp"
@@ -20,13 +20,17 @@ struct CompareOptions {
     bool json = false;
 };
 
-constexpr std::array kChannels{"red", "green", "blue"};
+std::vector<const char*> channelNames(const image::Difference& difference) {
+    if (difference.quantity != image::Quantity::color) return {image::nameOf(difference.quantity)};
+    return {"red", "green", "blue"};
+}
 
 Json::Value toJson(const image::Difference& difference, bool passed) {
     Json::Value json;
-    for (std::size_t i = 0; i < kChannels.size(); ++i) {
-        json["channels"][kChannels[i]]["max"] = difference.channels[i].maxAbs;
-        json["channels"][kChannels[i]]["rmse"] = difference.channels[i].rmse;
+    const std::vector<const char*> names = channelNames(difference);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        json["channels"][names[i]]["max"] = difference.channels[i].maxAbs;
+        json["channels"][names[i]]["rmse"] = difference.channels[i].rmse;
     }
     json["max"] = difference.overall.maxAbs;
     json["rmse"] = difference.overall.rmse;
@@ -41,8 +45,9 @@ Json::Value toJson(const image::Difference& difference, bool passed) {
 }
 
 void print(const image::Difference& difference, double tolerance) {
-    for (std::size_t i = 0; i < kChannels.size(); ++i) {
-        fmt::print("{:<6} max {:.3e}  rmse {:.3e}\n", kChannels[i], difference.channels[i].maxAbs,
+    const std::vector<const char*> names = channelNames(difference);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        fmt::print("{:<6} max {:.3e}  rmse {:.3e}\n", names[i], difference.channels[i].maxAbs,
                    difference.channels[i].rmse);
     }
     fmt::print("all    max {:.3e}  rmse {:.3e}  psnr {:.1f} dB\n", difference.overall.maxAbs,

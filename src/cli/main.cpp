@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
         return cli::kWrongInput;
     } catch (const cli::InputError& error) {
         return fail(cli::kWrongInput, error.what());
-    } catch (const image::SizeError& error) {
+    } catch (const image::MismatchError& error) {
         return fail(cli::kWrongInput, error.what());
     } catch (const image::FileError& error) {
         return fail(cli::kWrongInput, error.what());

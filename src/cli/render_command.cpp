@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <sys/resource.h>
 
+#include <cassert>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -14,6 +15,7 @@
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/picture_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "compile/compiled_scene.hpp"
@@ -31,8 +33,7 @@ struct RenderOptions {
     std::string device;
     std::string stats;
     std::uint32_t tile = 0;
-    int pngBits = 8;
-    std::string exrType = "half";
+    PictureOptions picture;
     bool reference = false;
     bool keepPartial = false;
     bool quiet = false;
@@ -50,6 +51,7 @@ struct Report {
     std::string renderer;  // the device, or the reference
     std::string driver;
     std::vector<std::string> outputs;  // the files written
+    double exposure = 0.0;             // stops; when automatic, the one found
     double parse_ms = 0.0;
     double startUp_ms = 0.0;
     render::Clocks clocks;
@@ -62,36 +64,29 @@ struct Report {
 // Longer scenes are named but not carried inside the picture.
 constexpr std::size_t kLongestEmbeddedScene = 256 << 10;
 
-std::string optionsText(const RenderOptions& options, const scene::Image& image) {
+std::string optionsText(const RenderOptions& options, const scene::Image& image, double exposure) {
     std::string text = fmt::format("{}x{}, {} samples, seed {}, max_depth {}, exposure {:g}", image.width,
-                                   image.height, image.samples, image.seed, image.maxDepth, image.exposure);
+                                   image.height, image.samples, image.seed, image.maxDepth, exposure);
+    if (image.autoExposure) text += " (automatic)";
+    text += pictureText(options.picture, image);
     if (options.reference) text += ", --reference";
     for (const std::string& given : options.source.overrides) text += ", --set " + given;
     return text;
 }
 
 image::Metadata metadata(const RenderOptions& options, const scene::Scene& scene, const std::string& text,
-                         const Report& report) {
+                         const Report& report, double exposure) {
     image::Metadata data{
         {"Software", fmt::format("fringe {} ({})", kVersion, kCommit)},
         {"Creation Time", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
         {"fringe scene file", options.source.file},
         {"fringe device", report.renderer},
         {"fringe driver", report.driver},
-        {"fringe options", optionsText(options, scene.image)},
+        {"fringe options", optionsText(options, scene.image, exposure)},
     };
     if (!scene.description.empty()) data.insert(data.begin(), {"Description", scene.description});
     if (text.size() <= kLongestEmbeddedScene) data.emplace_back("fringe scene", text);
     return data;
-}
-
-image::OutputOptions outputOptions(const RenderOptions& options, const scene::Scene& scene,
-                                   const std::string& text, bool printedFaults, const Report& report) {
-    return {.exposure = scene.image.exposure,
-            .pngBits = options.pngBits,
-            .exrFloat = options.exrType == "float",
-            .nonFiniteChannel = printedFaults,
-            .metadata = metadata(options, scene, text, report)};
 }
 
 // ---- the two renderers --------------------------------------------------------------------------
@@ -131,6 +126,21 @@ bool renderOnDevice(render::Renderer& renderer, std::uint32_t tile, const BandSi
                             .tile = tile});
 }
 
+// Luminance comes from the colour.
+compile::Measure measureOf(image::Quantity quantity) {
+    switch (quantity) {
+        case image::Quantity::color:
+        case image::Quantity::luminance:
+            return compile::Measure::color;
+        case image::Quantity::radiance:
+            return compile::Measure::radiance;
+        case image::Quantity::irradiance:
+            return compile::Measure::irradiance;
+    }
+    assert(false);
+    return compile::Measure::color;
+}
+
 bool environmentFlag(const char* name) {
     const char* value = std::getenv(name);
     return value != nullptr && *value != '\0' && std::string_view(value) != "0";
@@ -161,6 +171,8 @@ Json::Value toJson(const Report& report, const RenderOptions& options, const sce
     json["width"] = image.width;
     json["height"] = image.height;
     json["samples"] = image.samples;
+    json["exposure"] = report.exposure;
+    json["auto_exposure"] = image.autoExposure;
     Json::Value& clocks = json["clocks_ms"];
     clocks["parse"] = report.parse_ms;
     clocks["start_up"] = report.startUp_ms;
@@ -183,8 +195,10 @@ void writeStats(const std::string& path, const Json::Value& stats) {
 }
 
 void printSummary(const Report& report, const scene::Image& image) {
-    fmt::print("{}: {} x {}, {} sample(s), {:.3f} s ({:.1f} ms rendering) on {}\n",
-               fmt::join(report.outputs, ", "), image.width, image.height, image.samples,
+    const std::string exposure =
+        image.autoExposure ? fmt::format(", exposure {:+.2f} (automatic)", report.exposure) : "";
+    fmt::print("{}: {} x {}, {} sample(s){}, {:.3f} s ({:.1f} ms rendering) on {}\n",
+               fmt::join(report.outputs, ", "), image.width, image.height, image.samples, exposure,
                report.total_ms / 1e3, report.clocks.dispatch, report.renderer);
 }
 
@@ -218,11 +232,18 @@ int render(RenderOptions options) {
     const auto start = Clock::now();
     catchInterrupts();
     if (options.outputs.empty()) {
-        options.outputs.push_back(std::filesystem::path(options.source.file).stem().string() + ".png");
+        const char* extension = quantityOf(options.picture) == image::Quantity::color ? ".png" : ".exr";
+        options.outputs.push_back(std::filesystem::path(options.source.file).stem().string() + extension);
+    }
+    const compile::Measure measure = measureOf(quantityOf(options.picture));
+    if (options.reference && measure != compile::Measure::color) {
+        throw InputError(fmt::format("--quantity {}: the reference renderer has color and luminance only",
+                                     options.picture.quantity));
     }
     Report report;
     const std::string text = readTextFile(options.source.file);
-    const scene::Scene scene = parseSource(options.source, text);
+    scene::Scene scene = parseSource(options.source, text);
+    applyTo(scene.image, options.picture);
     report.parse_ms = millisecondsSince(start);
 
     // A wrong path is known before anything is started for it.
@@ -241,8 +262,14 @@ int render(RenderOptions options) {
     }
     report.startUp_ms = millisecondsSince(startUp);
 
-    Outputs outputs(options.outputs, scene.image.width, scene.image.height,
-                    outputOptions(options, scene, text, scene::hasPrintedFaults(scene), report));
+    image::OutputOptions output = outputOptions(options.picture, scene);
+    output.nonFiniteChannel = scene::hasPrintedFaults(scene);
+    const auto outputAt = [&](double exposure) {
+        output.development.exposure = exposure;
+        output.metadata = metadata(options, scene, text, report, exposure);
+        return output;
+    };
+    Outputs outputs(options.outputs, scene.image, outputAt);
     const BandSink sink = [&](std::span<const image::Pixel> rows) {
         if (interrupted() && !options.keepPartial) return;  // the files go anyway
         const auto writeStart = Clock::now();
@@ -256,7 +283,7 @@ int render(RenderOptions options) {
         if (options.reference) {
             complete = renderReference(oracle::Reference(scene), scene.image, sink, show, report);
         } else {
-            const compile::CompiledScene compiled = compile::compileScene(scene);
+            const compile::CompiledScene compiled = compile::compileScene(scene, measure);
             render::Renderer renderer(*device, compiled, compile::specialise(compiled, scene.camera),
                                       render::Values::asConstants);
             complete = renderOnDevice(renderer, options.tile, sink, show);
@@ -266,6 +293,7 @@ int render(RenderOptions options) {
     const auto finishing = Clock::now();
     int status = conclude(outputs, complete, options.keepPartial);
     report.outputs = outputs.written();
+    report.exposure = outputs.exposure();
     report.write_ms += millisecondsSince(finishing);
     report.total_ms = millisecondsSince(start);
     if (device && !passedValidation(*device)) status = kMachineCannot;
@@ -291,9 +319,7 @@ void addRender(CLI::App& app, Command& chosen) {
                         "Vulkan device, by index or part of its name (see: fringe devices)");
     command->add_option("--tile", options->tile, "edge of a tile in pixels (default: fitted to the device)")
         ->check(CLI::Range(1, 65536));
-    command->add_option("--png-bits", options->pngBits, "8 (default) or 16")->check(CLI::IsMember({8, 16}));
-    command->add_option("--exr-type", options->exrType, "half (default) or float")
-        ->check(CLI::IsMember({"half", "float"}));
+    addPictureOptions(*command, options->picture);
     command->add_option("--stats", options->stats, "write the clocks and the peak memory to this JSON file");
     command->add_flag("--keep-partial", options->keepPartial,
                       "on Ctrl-C, write what is done (the rest is black)");

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/commands.hpp"
+#include "cli/grating_report.hpp"
 #include "cli/input.hpp"
 #include "cli/report.hpp"
 #include "compile/compiled_scene.hpp"
@@ -59,7 +60,7 @@ struct InfoOptions {
 
 constexpr std::array kShapeNames{"plane", "rectangle", "disc", "sphere",
                                  "box",   "cylinder",  "cone", "triangle"};
-constexpr std::array kLightNames{"point", "spot", "directional", "area", "environment", "grating"};
+constexpr std::array kLightNames{"point", "spot", "directional", "area", "environment", "grating", "grating"};
 static_assert(kShapeNames.size() == std::variant_size_v<scene::Shape>);
 static_assert(kLightNames.size() == std::variant_size_v<decltype(scene::Light::model)>);
 
@@ -85,7 +86,10 @@ Json::Value countsOf(const scene::Scene& scene) {
 Json::Value ledgerOf(const scene::Scene& scene) {
     Json::Value ledger(Json::arrayValue);
     for (const scene::Light& light : scene.lights) {
-        Json::Value entry;
+        Json::Value entry(Json::objectValue);
+        if (const auto* grating = std::get_if<scene::Grating>(&light.model))
+            entry = describeGrating(*grating);
+        if (std::holds_alternative<scene::ThesisGrating>(light.model)) entry["model"] = "thesis";
         entry["type"] = kLightNames[light.model.index()];
         if (!light.name.empty()) entry["name"] = light.name;
         if (const auto power = powerOf(light)) entry["power_W"] = *power;
@@ -109,7 +113,8 @@ Json::UInt64 sceneBytes(const compile::CompiledScene& s) {
     };
     return sizeof(device::SceneBlock) + bytes(s.planes) + bytes(s.rectangles) + bytes(s.discs) +
            bytes(s.spheres) + bytes(s.boxes) + bytes(s.cylinders) + bytes(s.cones) + bytes(s.triangles) +
-           bytes(s.materials) + bytes(s.lights) + bytes(s.gratings);
+           bytes(s.materials) + bytes(s.lights) + bytes(s.gratings) + bytes(s.slitGratings) +
+           s.tables.size() * sizeof(float);
 }
 
 Json::Value describe(const scene::Scene& scene) {
@@ -129,6 +134,15 @@ Json::Value describe(const scene::Scene& scene) {
     return json;
 }
 
+std::string beamText(const Json::Value& light) {
+    const Json::Value& fresnel = light["fresnel_number_at_1_m"];
+    return fmt::format(
+        "{:.4g} W of a beam of {:g} W; Fresnel number {:.3g} across the slits and {:.3g} along them "
+        "(at 1 m, 550 nm; it falls with distance, and below 0.1 is the far field)",
+        light["leaving_power_W"].asDouble(), light["beam_power_W"].asDouble(), fresnel["across"].asDouble(),
+        fresnel["along"].asDouble());
+}
+
 void print(const Json::Value& info) {
     if (!info["description"].asString().empty()) fmt::print("{}\n\n", info["description"].asString());
     fmt::print("picture    {} x {}, {} sample(s) a pixel\n", info["image"]["width"].asUInt(),
@@ -142,7 +156,8 @@ void print(const Json::Value& info) {
     for (const Json::Value& light : info["lights"]) {
         const std::string power = light.isMember("power_W")
                                       ? fmt::format("{:g} W", light["power_W"].asDouble())
-                                      : "no stated power";
+                                  : light.isMember("beam_power_W") ? beamText(light)
+                                                                   : "no stated power";
         fmt::print("light      {} {}: {}\n", light["type"].asString(), light["name"].asString(), power);
     }
     std::string features;

@@ -72,6 +72,11 @@ Interval lightInterval(const scene::Light& light, dvec3 along) {
         const double rise = -dot(directional->direction, along);
         return {rise < 0.0 ? -kInfinity : kInfinity, rise > 0.0 ? kInfinity : -kInfinity};
     }
+    if (const auto* grating = std::get_if<scene::Grating>(&light.model)) {
+        const double half =
+            0.5 * (grating->beam.height / units::m);  // a ray ends at the slits' height it comes from
+        return around(dot(grating->position, along), half * std::abs(dot(grating->slitDirection, along)));
+    }
     return std::visit(
         [along](const auto& model) -> Interval {
             if constexpr (requires { model.position; }) return around(dot(model.position, along), 0.0);

@@ -7,7 +7,7 @@
 
 #include "compile/casters.hpp"
 #include "compile/compiled_scene.hpp"
-#include "compile/metals.hpp"
+#include "compile/gratings.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -66,6 +66,20 @@ device::ThesisAperture compileAperture(const scene::Slits& slits, scene::Faults 
     };
 }
 
+device::Material material(device::uint kind, double value, device::uint row) {
+    device::Material packed{};
+    packed.kind = kind;
+    packed.value = toFloat(value);
+    packed.row = row;
+    return packed;
+}
+
+device::Material emissive(double radiance, device::uint spectrum, bool twoSided) {
+    device::Material packed = material(device::EMISSIVE, radiance, spectrum);
+    packed.twoSided = twoSided ? 1 : 0;
+    return packed;
+}
+
 bool isSpecular(const scene::Material& material) {
     return !std::holds_alternative<scene::Diffuse>(material.model) &&
            !std::holds_alternative<scene::Emissive>(material.model);
@@ -82,29 +96,29 @@ dvec3 sumOfLightColors(const scene::Scene& scene) {
 
 struct MaterialCompiler {
     const scene::Scene& scene;
+    SpectralTables& tables;
 
     device::Material operator()(const scene::Diffuse& m) const {
-        return {.kind = device::DIFFUSE, .color = toFloat(m.reflectance), .second = {}, .aperture = {}};
+        const SpectralTables::Reflector reflector = tables.reflector(m.reflectance);
+        return material(device::DIFFUSE, reflector.factor, reflector.row);
     }
     device::Material operator()(const scene::Conductor& m) const {
-        const ComplexIndex index = metalIndex(m.metal);
-        return {
-            .kind = device::CONDUCTOR, .color = toFloat(index.n), .second = toFloat(index.k), .aperture = {}};
+        return material(device::CONDUCTOR, 0.0, tables.metal(m.metal));
     }
     device::Material operator()(const scene::Dielectric& m) const {
-        return {.kind = device::DIELECTRIC, .color = toFloat(dvec3(m.ior)), .second = {}, .aperture = {}};
+        return material(device::DIELECTRIC, m.ior, 0);
     }
     device::Material operator()(const scene::Emissive& m) const {
-        return {.kind = device::EMISSIVE,
-                .color = toFloat(m.radiance / units::W_per_m2_sr * m.color),
-                .second = {m.twoSided ? 1.0F : 0.0F, 0.0F, 0.0F},
-                .aperture = {}};
+        return emissive(m.radiance / units::W_per_m2_sr, tables.spectrum(m.spectrum), m.twoSided);
     }
     device::Material operator()(const scene::ThesisDisc& m) const {
-        return {.kind = device::THESIS_DISC,
-                .color = toFloat(sumOfLightColors(scene)),
-                .second = {toFloat(m.mirrorReflectance), 0.0F, 0.0F},
-                .aperture = compileAperture(m.slits, m.faults)};
+        device::Material packed = material(device::THESIS_DISC, m.mirrorReflectance, 0);
+        packed.color = toFloat(sumOfLightColors(scene));
+        packed.aperture = compileAperture(m.slits, m.faults);
+        return packed;
+    }
+    device::Material operator()(const scene::OpticalDisc& m) const {
+        return material(device::CONDUCTOR, 0.0, tables.metal(m.metal.value_or(scene::Metal::aluminium)));
     }
 };
 
@@ -197,64 +211,62 @@ EmitterGeometry emitterGeometry(const scene::Sphere& shape) {
     return {light, 4.0 * pi * shape.radius * shape.radius};
 }
 
-void addEmitter(EmitterGeometry emitter, dvec3 radiance, bool twoSided, CompiledScene& out) {
+void addEmitter(EmitterGeometry emitter, double radiance, device::uint spectrum, bool twoSided,
+                CompiledScene& out) {
     emitter.light.emission = toFloat(radiance);
+    emitter.light.spectrum = spectrum;
     emitter.light.twoSided = twoSided ? 1 : 0;
     out.lights.push_back(emitter.light);
 }
 
 struct LightCompiler {
-    const dvec3& color;
+    const scene::Light& light;
+    SpectralTables& tables;
     CompiledScene& out;
 
     void operator()(const scene::PointLight& l) const {
-        device::Light light{};
-        light.kind = device::POINT_LIGHT;
-        light.position = toFloat(l.position);
-        light.emission = toFloat(l.power / units::W / (4.0 * pi) * color);
-        out.lights.push_back(light);
+        device::Light packed{};
+        packed.kind = device::POINT_LIGHT;
+        packed.position = toFloat(l.position);
+        add(packed, l.power / units::W / (4.0 * pi));
     }
     // The smoothstep between the two cosines holds half of its width's solid angle.
     void operator()(const scene::SpotLight& l) const {
         const double outer = std::cos(l.angle / units::rad);
         const double inner = std::cos(l.innerAngle / units::rad);
         const double solidAngle = 2.0 * pi * (1.0 - 0.5 * (outer + inner));
-        device::Light light{};
-        light.kind = device::SPOT_LIGHT;
-        light.position = toFloat(l.position);
-        light.direction = toFloat(l.direction);
-        light.emission = toFloat(l.power / units::W / solidAngle * color);
-        light.cosOuter = toFloat(outer);
-        light.cosInner = toFloat(inner);
-        out.lights.push_back(light);
+        device::Light packed{};
+        packed.kind = device::SPOT_LIGHT;
+        packed.position = toFloat(l.position);
+        packed.direction = toFloat(l.direction);
+        packed.cosOuter = toFloat(outer);
+        packed.cosInner = toFloat(inner);
+        add(packed, l.power / units::W / solidAngle);
     }
     void operator()(const scene::DirectionalLight& l) const {
-        device::Light light{};
-        light.kind = device::DIRECTIONAL_LIGHT;
-        light.direction = toFloat(l.direction);
-        light.emission = toFloat(l.irradiance / units::W_per_m2 * color);
-        out.lights.push_back(light);
+        device::Light packed{};
+        packed.kind = device::DIRECTIONAL_LIGHT;
+        packed.direction = toFloat(l.direction);
+        add(packed, l.irradiance / units::W_per_m2);
     }
     // A Lambertian emitter: radiance = power / (pi area).
     void operator()(const scene::AreaLight& l) const {
         std::visit(
             [&](const auto& shape) {
                 const EmitterGeometry emitter = emitterGeometry(shape);
-                const dvec3 radiance = l.power / units::W / (pi * emitter.area) * color;
-                addEmitter(emitter, radiance, l.twoSided, out);
-                out.materials.push_back({.kind = device::EMISSIVE,
-                                         .color = toFloat(radiance),
-                                         .second = {l.twoSided ? 1.0F : 0.0F, 0.0F, 0.0F},
-                                         .aperture = {}});
+                const double radiance = l.power / units::W / (pi * emitter.area);
+                const device::uint spectrum = tables.spectrum(light.spectrum);
+                addEmitter(emitter, radiance, spectrum, l.twoSided, out);
+                out.materials.push_back(emissive(radiance, spectrum, l.twoSided));
             },
             l.shape);
     }
     void operator()(const scene::EnvironmentLight& l) const {
-        device::Light light{};
-        light.kind = device::ENVIRONMENT_LIGHT;
-        light.emission = toFloat(l.radiance / units::W_per_m2_sr * color);
-        out.frame.environment = light.emission;
-        out.lights.push_back(light);
+        device::Light packed{};
+        packed.kind = device::ENVIRONMENT_LIGHT;
+        add(packed, l.radiance / units::W_per_m2_sr);
+        out.frame.environment = out.lights.back().emission;
+        out.frame.environmentSpectrum = out.lights.back().spectrum;
     }
     void operator()(const scene::ThesisGrating& l) const {
         const double radius = 0.5 * (l.beamDiameter / units::m);
@@ -264,20 +276,34 @@ struct LightCompiler {
                                 .slitDirection = toFloat(l.slitDirection),
                                 .radius = toFloat(radius),
                                 .attenuation = l.attenuated ? toFloat(1.0 / (radius * radius)) : 0.0F,
-                                .color = toFloat(l.power / units::W * color),
+                                .color = toFloat(l.power / units::W * light.color),
                                 .aperture = compileAperture(l.slits, l.faults)});
+    }
+    void operator()(const scene::Grating& l) const {
+        if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
+            out.slitGratings.push_back(compileSlits(l, *slits, light.spectrum, tables, out.tables));
+        }
+    }
+
+private:
+    void add(device::Light packed, double emission) const {
+        packed.emission = toFloat(emission);
+        packed.spectrum = tables.spectrum(light.spectrum);
+        out.lights.push_back(packed);
     }
 };
 
 // A rectangle, disc or sphere of an emissive material lights the scene; other shapes only glow.
-void addGlowingObject(const scene::Object& object, const scene::Scene& scene, CompiledScene& out) {
+void addGlowingObject(const scene::Object& object, const scene::Scene& scene, SpectralTables& tables,
+                      CompiledScene& out) {
     const auto* emissive = std::get_if<scene::Emissive>(&scene.materials[object.material].model);
     if (emissive == nullptr) return;
-    const dvec3 radiance = emissive->radiance / units::W_per_m2_sr * emissive->color;
+    const double radiance = emissive->radiance / units::W_per_m2_sr;
+    const device::uint spectrum = tables.spectrum(emissive->spectrum);
     std::visit(
         [&](const auto& shape) {
             if constexpr (requires { emitterGeometry(shape); }) {
-                addEmitter(emitterGeometry(shape), radiance, emissive->twoSided, out);
+                addEmitter(emitterGeometry(shape), radiance, spectrum, emissive->twoSided, out);
             }
         },
         object.shape);
@@ -305,6 +331,38 @@ void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, Compi
     addAll(false);
 }
 
+bool isMetal(const scene::Material& material) {
+    return std::holds_alternative<scene::Conductor>(material.model) ||
+           std::holds_alternative<scene::OpticalDisc>(material.model);
+}
+
+// How much of the scene one sample stands for.
+void setPixelWidth(const scene::Scene& scene, device::Frame& frame) {
+    const double share = 2.0 / scene.image.height / std::sqrt(1.0 * scene.image.samples);
+    if (const auto* perspective = std::get_if<scene::Perspective>(&scene.camera.projection)) {
+        frame.pixelAngle = toFloat(share * std::tan(0.5 * (perspective->fov / units::rad)));
+    } else {
+        frame.pixelWidth =
+            toFloat(0.5 * share * std::get<scene::Orthographic>(scene.camera.projection).height);
+    }
+}
+
+// The colours come first in the tables; gratings, whose places are known, have written theirs already.
+void addColors(const SpectralTables& tables, CompiledScene& out) {
+    const std::vector<float> colors = tables.colors();
+    const std::vector<float> metals = tables.metalIndices();
+    const device::uint shift = count(colors.size() + metals.size());
+    out.tables.insert(out.tables.begin(), metals.begin(), metals.end());
+    out.tables.insert(out.tables.begin(), colors.begin(), colors.end());
+    out.frame.reflectanceCount = count(tables.reflectances().size());
+    out.frame.metals = count(colors.size());
+    for (device::SlitGrating& grating : out.slitGratings) {
+        grating.response += shift;
+        grating.lines += shift;
+        grating.zeroOrder += shift;
+    }
+}
+
 template <class Element>
 void copyFew(const std::vector<Element>& from, Element (&to)[device::FEW]) {
     if (from.size() <= device::FEW) std::copy(from.begin(), from.end(), to);
@@ -312,7 +370,7 @@ void copyFew(const std::vector<Element>& from, Element (&to)[device::FEW]) {
 
 }  // namespace
 
-CompiledScene compileScene(const scene::Scene& scene) {
+CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     CompiledScene out;
     device::Frame& frame = out.frame;
     frame.camera = compileCamera(scene.camera, double{1.0} * scene.image.width / scene.image.height);
@@ -325,14 +383,19 @@ CompiledScene compileScene(const scene::Scene& scene) {
     if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
         out.maxDepth = scene.image.maxDepth;
 
-    for (const scene::Material& material : scene.materials) {
-        out.materials.push_back(std::visit(MaterialCompiler{scene}, material.model));
-    }
-    for (const scene::Object& object : scene.objects) addGlowingObject(object, scene, out);
-    const device::uint firstLightMaterial = count(out.materials.size());
-    for (const scene::Light& light : scene.lights) std::visit(LightCompiler{light.color, out}, light.model);
-    addShapes(scene, firstLightMaterial, out);
+    out.inBands = std::any_of(scene.materials.begin(), scene.materials.end(), isMetal);
+    setPixelWidth(scene, frame);
 
+    // Reflectances first: what a light needs depends on what it falls on.
+    SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1);
+    for (const scene::Material& material : scene.materials) {
+        out.materials.push_back(std::visit(MaterialCompiler{scene, tables}, material.model));
+    }
+    for (const scene::Object& object : scene.objects) addGlowingObject(object, scene, tables, out);
+    const device::uint firstLightMaterial = count(out.materials.size());
+    for (const scene::Light& light : scene.lights) std::visit(LightCompiler{light, tables, out}, light.model);
+    addShapes(scene, firstLightMaterial, out);
+    addColors(tables, out);
     return out;
 }
 
@@ -350,6 +413,7 @@ device::SceneBlock sceneBlock(const CompiledScene& scene) {
     copyFew(scene.materials, block.materials);
     copyFew(scene.lights, block.lights);
     copyFew(scene.gratings, block.gratings);
+    copyFew(scene.slitGratings, block.slitGratings);
     return block;
 }
 

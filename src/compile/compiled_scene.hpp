@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compile/interface.hpp"
+#include "compile/spectral.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
@@ -26,10 +27,13 @@ struct CompiledScene {
     std::vector<device::Material> materials;
     std::vector<device::Light> lights;
     std::vector<device::ThesisGrating> gratings;
+    std::vector<device::SlitGrating> slitGratings;
+    bool inBands = false;       // paths carry spectral bands: there are metals
+    std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
 };
 
 // Pure. The only place where units become floats.
-CompiledScene compileScene(const scene::Scene& scene);
+CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color);
 
 // The uniform block: the frame, and the arrays that have no more than FEW elements.
 device::SceneBlock sceneBlock(const CompiledScene& scene);

@@ -1,19 +1,27 @@
-// Complex refractive indices of metals for a renderer of three colours.
+// Complex refractive indices of metals over the visible range.
 #pragma once
 
-#include <glm/vec3.hpp>
+#include <complex>
+#include <vector>
 
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
 
-struct ComplexIndex {
-    glm::dvec3 n;
-    glm::dvec3 k;
-};
+// A table of third_party/metals, interpolated linearly.
+class MetalTable {
+public:
+    explicit MetalTable(scene::Metal metal);
 
-// n and k for red, green and blue: the tables of third_party/metals, interpolated linearly at the dominant
-// wavelengths of the sRGB primaries (611.4, 549.1 and 464.2 nm).
-ComplexIndex metalIndex(scene::Metal metal);
+    // n + i k; precondition: within the table, which covers the visible range.
+    std::complex<double> at(double wavelength_nm) const;
+
+private:
+    struct Row {
+        double wavelength_nm, n, k;
+    };
+
+    std::vector<Row> rows_;
+};
 
 }  // namespace fringe::compile

@@ -24,6 +24,10 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         return static_cast<device::uint>(std::min<std::size_t>(size, device::FEW + 1));
     };
     const auto count = [&](const auto& elements) { return few(elements.size()); };
+    const auto anySlits = [&](auto has) {
+        return static_cast<device::uint>(
+            std::any_of(compiled.slitGratings.begin(), compiled.slitGratings.end(), has));
+    };
     return {
         .PLANE_COUNT = count(compiled.planes),
         .RECTANGLE_COUNT = count(compiled.rectangles),
@@ -57,6 +61,12 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .DISC_CASTERS = few(compiled.discCasters),
         .TRIANGLE_CASTERS = few(compiled.triangleCasters),
         .MATERIAL_COUNT = count(compiled.materials),
+        .SLIT_GRATING_COUNT = count(compiled.slitGratings),
+        .HAS_SLIT_LINES = anySlits([](const device::SlitGrating& g) { return g.lineCount > 0; }),
+        .HAS_SLIT_CONTINUUM = anySlits([](const device::SlitGrating& g) { return g.entries > 0; }),
+        .HAS_WIDE_GRATINGS = anySlits([](const device::SlitGrating& g) { return g.isWide != 0; }),
+        .HAS_GAUSSIAN_BEAMS =
+            anySlits([](const device::SlitGrating& g) { return g.profile == device::GAUSSIAN_BEAM; }),
     };
 }
 

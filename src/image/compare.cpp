@@ -1,6 +1,7 @@
 #include "image/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@ namespace fringe::image {
 
 namespace {
 
-std::string sizeOf(const Image& image) {
+std::string sizeOf(const Picture& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
@@ -22,18 +23,25 @@ double distance(double a, double b) {
 
 }  // namespace
 
-Difference compare(const Image& a, const Image& b, double tolerance) {
+Difference compare(const Picture& a, const Picture& b, double tolerance) {
     assert(tolerance >= 0.0);
     if (a.width != b.width || a.height != b.height)
-        throw SizeError("the pictures have " + sizeOf(a) + " and " + sizeOf(b) +
-                        " pixels; they must be of one size");
+        throw MismatchError("the pictures have " + sizeOf(a) + " and " + sizeOf(b) +
+                            " pixels; they must be of one size");
+
+    if (a.quantity != b.quantity)
+        throw MismatchError(std::string("one picture shows ") + nameOf(a.quantity) + ", the other " +
+                            nameOf(b.quantity));
 
     Difference result;
+    result.quantity = a.quantity;
+    result.channels.resize(a.quantity == Quantity::color ? 3 : 1);
+    const std::size_t channelCount = result.channels.size();
     std::array<double, 3> squares{};
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const Pixel &p = a.pixels[i], &q = b.pixels[i];
+        const RgbPixel &p = a.pixels[i], &q = b.pixels[i];
         const std::array distances = {distance(p.r, q.r), distance(p.g, q.g), distance(p.b, q.b)};
-        for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t c = 0; c < channelCount; ++c) {
             result.channels[c].maxAbs = std::max(result.channels[c].maxAbs, distances[c]);
             squares[c] += distances[c] * distances[c];
         }
@@ -49,8 +57,10 @@ Difference compare(const Image& a, const Image& b, double tolerance) {
     }
 
     const auto pixelCount = static_cast<double>(a.pixels.size());
-    for (std::size_t c = 0; c < 3; ++c) result.channels[c].rmse = std::sqrt(squares[c] / pixelCount);
-    result.overall.rmse = std::sqrt((squares[0] + squares[1] + squares[2]) / (3.0 * pixelCount));
+    for (std::size_t c = 0; c < channelCount; ++c)
+        result.channels[c].rmse = std::sqrt(squares[c] / pixelCount);
+    result.overall.rmse =
+        std::sqrt((squares[0] + squares[1] + squares[2]) / (static_cast<double>(channelCount) * pixelCount));
     result.psnr = -20.0 * std::log10(result.overall.rmse);  // infinite for equal pictures
     result.beyondFraction = static_cast<double>(result.beyond) / pixelCount;
     return result;

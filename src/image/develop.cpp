@@ -1,106 +1,95 @@
-// One power per channel would take longer than the rest of writing a picture, so the formula is inverted:
-// the values at which the code changes are computed once (the thresholds), and a piecewise linear guess
-// finds the code to within the one comparison that then settles it. tests/image/develop_test.cpp proves
-// the result equal to the formula on both sides of every threshold.
 #include "image/develop.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <glm/matrix.hpp>
+
+#include "image/quantiser.hpp"
 
 namespace fringe::image {
 
 namespace {
 
-// 128 guesses per octave: no chord is more than 0.14 codes of 65535 below its arc.
-constexpr int kMantissaBits = 7;
+double lowestOf(const glm::dvec3& rgb) {
+    return std::min({rgb.x, rgb.y, rgb.z});
+}
 
-class Quantiser {
-public:
-    explicit Quantiser(std::uint32_t maxCode);
+double highestOf(const glm::dvec3& rgb) {
+    return std::max({rgb.x, rgb.y, rgb.z});
+}
 
-    // The code of a linear value; any double, NaN too.
-    std::uint32_t operator()(double linear) const {
-        const double value = std::min(std::max(lowest_, linear), 1.0);  // a NaN compares false: lowest_
-        const auto rounded = static_cast<float>(value);
-        const Chord& chord = chords_[bucket(rounded) - firstBucket_];
-        const auto guess = static_cast<std::int32_t>(chord.offset + chord.slope * rounded);
-        return static_cast<std::uint32_t>(
-            guess + (value >= thresholds_[static_cast<std::size_t>(guess) + 1] ? 1 : 0));
-    }
+bool isFinite(const glm::dvec3& rgb) {
+    return std::isfinite(rgb.x) && std::isfinite(rgb.y) && std::isfinite(rgb.z);
+}
 
-private:
-    struct Chord {
-        float offset, slope;
-    };
+bool fits(const glm::dvec3& rgb) {  // false for NaN
+    return rgb.x >= 0.0 && rgb.y >= 0.0 && rgb.z >= 0.0 && rgb.x <= 1.0 && rgb.y <= 1.0 && rgb.z <= 1.0;
+}
 
-    // Positive floats ordered by their leading bits: exponent and kMantissaBits of mantissa.
-    static std::uint32_t bucket(float value) {
-        return std::bit_cast<std::uint32_t>(value) >> (23 - kMantissaBits);
-    }
-    static double bucketStart(std::uint32_t index) {
-        return std::bit_cast<float>(index << (23 - kMantissaBits));
-    }
+// The share of the chroma at which the lowest channel is 0; for luminance > 0.
+double shareAboveZero(const DisplayColor& color) {
+    const double lowest = lowestOf(color.rgb);
+    return lowest < 0.0 ? color.luminance / (color.luminance - lowest) : 1.0;
+}
 
-    std::vector<double> thresholds_;  // [k]: from this value on the code is k; infinite past the last
-    double lowest_;                   // a power of two at which the code is still 0
-    std::uint32_t firstBucket_;
-    std::vector<Chord> chords_;
-};
+// The share of the chroma at which the highest channel is 1; for luminance < 1.
+double shareBelowOne(const DisplayColor& color) {
+    const double highest = highestOf(color.rgb);
+    return highest > 1.0 ? (1.0 - color.luminance) / (highest - color.luminance) : 1.0;
+}
 
-Quantiser::Quantiser(std::uint32_t maxCode) {
-    thresholds_.push_back(0.0);
-    for (std::uint32_t k = 1; k <= maxCode; ++k) thresholds_.push_back(decodeSrgb((k - 0.5) / maxCode));
-    thresholds_.push_back(std::numeric_limits<double>::infinity());
-
-    lowest_ = std::exp2(std::floor(std::log2(thresholds_[1])));
-    firstBucket_ = bucket(static_cast<float>(lowest_));
-
-    // The curve is concave, so a chord is nowhere above it; the margin covers the chord's float rounding.
-    constexpr double margin = 1.0 / 64.0;
-    const auto curve = [&](double linear) { return maxCode * encodeSrgb(linear) + 0.5 - margin; };
-    for (std::uint32_t index = firstBucket_; bucketStart(index) < 1.0; ++index) {
-        const double start = bucketStart(index), end = bucketStart(index + 1);
-        const double slope = (curve(end) - curve(start)) / (end - start);
-        chords_.push_back({static_cast<float>(curve(start) - slope * start), static_cast<float>(slope)});
-    }
-    chords_.push_back({static_cast<float>(curve(1.0)), 0.0F});  // the value 1 itself
+glm::dvec3 withChroma(const DisplayColor& color, double share) {
+    return color.luminance + share * (color.rgb - color.luminance);
 }
 
 template <class Code>
-void develop(const Quantiser& quantise, std::span<const Pixel> pixels, double exposure, std::span<Code> rgb) {
+void develop(const Quantiser& quantise, const Development& development, std::span<const Pixel> pixels,
+             std::span<Code> rgb) {
     assert(rgb.size() == 3 * pixels.size());
-    const double scale = std::exp2(exposure);
+    const DisplayTransform displayed(development);
     Code* out = rgb.data();
     for (const Pixel& pixel : pixels) {
-        const double shown = pixel.nonFinite ? 0.0 : scale;
-        *out++ = static_cast<Code>(quantise(pixel.r * shown));
-        *out++ = static_cast<Code>(quantise(pixel.g * shown));
-        *out++ = static_cast<Code>(quantise(pixel.b * shown));
+        DisplayColor color = displayed(pixel);
+        if (!fits(color.rgb)) color.rgb = intoGamut(color);
+        if (pixel.nonFinite) color.rgb = {};
+        *out++ = static_cast<Code>(quantise(color.rgb.x));
+        *out++ = static_cast<Code>(quantise(color.rgb.y));
+        *out++ = static_cast<Code>(quantise(color.rgb.z));
     }
 }
 
 }  // namespace
 
-double encodeSrgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+DisplayTransform::DisplayTransform(const Development& development) {
+    const glm::dmat3 adapted = std::exp2(development.exposure) * development.whiteBalance;
+    rgbFromXyz_ = linearFromXyz(development.colorSpace) * adapted;
+    luminanceFromXyz_ = glm::transpose(adapted)[1];
 }
 
-double decodeSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+glm::dvec3 withoutNegative(const DisplayColor& color) {
+    if (!(color.luminance > 0.0)) return {};
+    if (!isFinite(color.rgb)) return glm::dvec3(color.luminance);
+    return withChroma(color, shareAboveZero(color));
 }
 
-void develop8(std::span<const Pixel> pixels, double exposure, std::span<std::uint8_t> rgb) {
-    static const Quantiser quantise(255);
-    develop(quantise, pixels, exposure, rgb);
+glm::dvec3 intoGamut(const DisplayColor& color) {
+    if (!(color.luminance > 0.0)) return {};
+    if (color.luminance >= 1.0) return glm::dvec3(1.0);
+    if (!isFinite(color.rgb)) return glm::dvec3(color.luminance);
+    return withChroma(color, std::min(shareAboveZero(color), shareBelowOne(color)));
 }
 
-void develop16(std::span<const Pixel> pixels, double exposure, std::span<std::uint16_t> rgb) {
-    static const Quantiser quantise(65535);
-    develop(quantise, pixels, exposure, rgb);
+void develop8(const Development& development, std::span<const Pixel> pixels, std::span<std::uint8_t> rgb) {
+    static const Quantiser srgb(255, transferFunction(ColorSpace::srgb));
+    static const Quantiser rec2020(255, transferFunction(ColorSpace::rec2020));
+    develop(development.colorSpace == ColorSpace::rec2020 ? rec2020 : srgb, development, pixels, rgb);
+}
+
+void develop16(const Development& development, std::span<const Pixel> pixels, std::span<std::uint16_t> rgb) {
+    static const Quantiser srgb(65535, transferFunction(ColorSpace::srgb));
+    static const Quantiser rec2020(65535, transferFunction(ColorSpace::rec2020));
+    develop(development.colorSpace == ColorSpace::rec2020 ? rec2020 : srgb, development, pixels, rgb);
 }
 
 }  // namespace fringe::image

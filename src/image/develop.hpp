@@ -1,27 +1,66 @@
-// Develop: linear sRGB to the code values that a display and a PNG file take. The one implementation,
-// so that every picture of the program, on the screen or in a file, shows the same values.
+// Develop: the film's XYZ to the code values that a display and a PNG file take. The one implementation, so
+// that every picture of the program, on the screen or in a file, shows the same values.
 //
-// A channel value v becomes round(max * encodeSrgb(clamp(v * 2^exposure, 0, 1))), where max is 255 or
-// 65535 and halves round up. The result is that of this formula in double precision.
-// NaN and negative values give 0, +infinity gives max; a pixel marked nonFinite is black.
+// The steps, all in double precision: white balance and exposure; XYZ to linear RGB of the colour space;
+// gamut mapping; transfer curve; rounding to max = 255 or 65535, halves up. A colour whose channels all lie
+// in 0..1 is not mapped: it becomes round(max * encode(channel)).
+//
+// Gamut mapping keeps the luminance and goes along the straight line to the grey of that luminance, as far as
+// it takes for the last channel to fit into 0..1: the dominant wavelength stays and no channel is clipped.
+// What is brighter than white is white, and since less and less chroma fits on the way there, a colour fades
+// into it without a step. Luminance that is 0, negative or NaN is black; a colour whose other channels are
+// not finite is grey of its luminance; a pixel marked nonFinite is black.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 
+#include "image/color_space.hpp"
 #include "image/image.hpp"
 
 namespace fringe::image {
 
-// The sRGB transfer function, IEC 61966-2-1:1999, section 5.2: linear 0..1 to encoded 0..1.
-double encodeSrgb(double linear);
+struct Development {
+    ColorSpace colorSpace = ColorSpace::srgb;
+    double exposure = 0.0;         // stops: light is multiplied by 2^exposure
+    glm::dmat3 whiteBalance{1.0};  // XYZ to XYZ: adaptation(white of the scene, displayWhite())
+};
 
-// Its inverse, with the standard's own constants: encoded 0..1 to linear 0..1.
-double decodeSrgb(double encoded);
+// What a pixel sends to the display before it is fitted into the gamut.
+struct DisplayColor {
+    glm::dvec3 rgb;    // linear, in the colour space
+    double luminance;  // 1: that of display white
+};
 
-// Develop pixels at an exposure in stops (0: 1.0 is display white) into red, green, blue, red, ...;
-// rgb holds 3 * pixels.size() values.
-void develop8(std::span<const Pixel> pixels, double exposure, std::span<std::uint8_t> rgb);
-void develop16(std::span<const Pixel> pixels, double exposure, std::span<std::uint16_t> rgb);
+// Film to display, for all pixels of a picture: white balance, exposure and colour space in one matrix.
+class DisplayTransform {
+public:
+    explicit DisplayTransform(const Development& development);
+
+    DisplayColor operator()(const Pixel& pixel) const {
+        const glm::dvec3 xyz(pixel.x, pixel.y, pixel.z);
+        const double luminance = glm::dot(luminanceFromXyz_, xyz);
+        // An infinite x times a weight of 0 is NaN; then y alone tells.
+        return {rgbFromXyz_ * xyz, std::isfinite(luminance) ? luminance : luminanceFromXyz_.y * xyz.y};
+    }
+
+private:
+    glm::dmat3 rgbFromXyz_;
+    glm::dvec3 luminanceFromXyz_;
+};
+
+// The colour of the same luminance and dominant wavelength with no channel below 0.
+glm::dvec3 withoutNegative(const DisplayColor& color);
+
+// The same with no channel above 1 either.
+glm::dvec3 intoGamut(const DisplayColor& color);
+
+// Develop pixels into red, green, blue, red, ...; rgb holds 3 * pixels.size() values.
+void develop8(const Development& development, std::span<const Pixel> pixels, std::span<std::uint8_t> rgb);
+void develop16(const Development& development, std::span<const Pixel> pixels, std::span<std::uint16_t> rgb);
 
 }  // namespace fringe::image

@@ -9,10 +9,14 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <glm/mat3x3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "image/color_space.hpp"
 #include "image/formats.hpp"
 
 namespace fringe::image {
@@ -52,54 +56,96 @@ auto readFile(std::FILE* stream, const std::filesystem::path& path, const Read& 
     }
 }
 
-void requireReadableChannels(const Imf::ChannelList& channels, const std::filesystem::path& path) {
-    for (const char* name : {"R", "G", "B"})
-        if (channels.findChannel(name) == nullptr)
-            throw FileError(path, std::string("has no channel ") + name + "; it needs R, G and B");
-    for (const char* name : {"R", "G", "B", "nonfinite"}) {
+// What the channels of a file say.
+struct Layout {
+    std::array<const char*, 3> channels;  // of a pixel; a quantity that is no colour has the first alone
+    Quantity quantity;
+    bool isXyz;
+};
+
+Layout layoutOf(const Imf::ChannelList& channels, const std::filesystem::path& path) {
+    const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+    if (has("R") || has("G") || has("B")) {
+        for (const char* name : {"R", "G", "B"})
+            if (!has(name))
+                throw FileError(path, std::string("has no channel ") + name + " beside the others");
+        return {{"R", "G", "B"}, Quantity::color, false};
+    }
+    if (has("X") && has("Y") && has("Z")) return {{"X", "Y", "Z"}, Quantity::color, true};
+    for (const Quantity quantity : {Quantity::luminance, Quantity::radiance, Quantity::irradiance}) {
+        const char* name = nameOf(quantity);
+        if (has(name)) return {{name, "", ""}, quantity, false};
+    }
+    throw FileError(path,
+                    "has none of the channels that are read: R, G and B; X, Y and Z; luminance, radiance "
+                    "or irradiance");
+}
+
+void requireFullResolution(const Imf::ChannelList& channels, const Layout& layout,
+                           const std::filesystem::path& path) {
+    const auto require = [&](const char* name) {
         const Imf::Channel* channel = channels.findChannel(name);
         if (channel != nullptr && (channel->xSampling != 1 || channel->ySampling != 1))
             throw FileError(path, std::string("has channel ") + name + " at less than full resolution");
+    };
+    for (const char* name : layout.channels) require(name);
+    require("nonfinite");
+}
+
+void toRgb(std::span<RgbPixel> xyz) {
+    const glm::dmat3 rgbFromXyz = linearFromXyz(ColorSpace::srgb);
+    for (RgbPixel& pixel : xyz) {
+        const glm::vec3 rgb = rgbFromXyz * glm::dvec3(pixel.r, pixel.g, pixel.b);
+        pixel = {rgb.x, rgb.y, rgb.z, pixel.nonFinite};
     }
 }
 
-Image readPixels(Imf::InputFile& file, const std::filesystem::path& path) {
-    requireReadableChannels(file.header().channels(), path);
+Picture readPixels(Imf::InputFile& file, const std::filesystem::path& path) {
+    const Imf::ChannelList& channels = file.header().channels();
+    const Layout layout = layoutOf(channels, path);
+    requireFullResolution(channels, layout, path);
     const Imath::Box2i window = file.header().dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     requireReadableSize(path, width, height);
 
-    Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+    Picture picture{
+        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), layout.quantity, {}};
     std::vector<float> marks;
     for (std::int64_t y = 0; y < height; y += kBandRows) {
         const std::int64_t rows = std::min<std::int64_t>(kBandRows, height - y);
-        const std::size_t done = image.pixels.size();
-        image.pixels.resize(done + static_cast<std::size_t>(width * rows));
+        const std::size_t done = picture.pixels.size();
+        picture.pixels.resize(done + static_cast<std::size_t>(width * rows));
         marks.assign(static_cast<std::size_t>(width * rows), 0.0F);
 
         // OpenEXR converts any pixel type to float and fills a channel that the file lacks with 0.
         const Imath::V2i origin(window.min.x, static_cast<int>(window.min.y + y));
-        Pixel* const band = image.pixels.data() + done;
+        RgbPixel* const band = picture.pixels.data() + done;
         Imf::FrameBuffer frame;
         const auto insert = [&](const char* channel, float* first, std::size_t stride) {
             frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, first, origin, width, rows, stride,
-                                                   stride * image.width));
+                                                   stride * picture.width));
         };
-        insert("R", &band->r, sizeof(Pixel));
-        insert("G", &band->g, sizeof(Pixel));
-        insert("B", &band->b, sizeof(Pixel));
+        insert(layout.channels[0], &band->r, sizeof(RgbPixel));
+        if (layout.quantity == Quantity::color) {
+            insert(layout.channels[1], &band->g, sizeof(RgbPixel));
+            insert(layout.channels[2], &band->b, sizeof(RgbPixel));
+        }
         insert("nonfinite", marks.data(), sizeof(float));
         file.setFrameBuffer(frame);
         file.readPixels(origin.y, static_cast<int>(origin.y + rows - 1));
-        for (std::size_t i = 0; i < marks.size(); ++i) band[i].nonFinite = marks[i] > 0.0F;
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            band[i].nonFinite = marks[i] > 0.0F;
+            if (layout.quantity != Quantity::color) band[i].g = band[i].b = band[i].r;
+        }
     }
-    return image;
+    if (layout.isXyz) toRgb(picture.pixels);
+    return picture;
 }
 
 }  // namespace
 
-Image readExr(std::FILE* stream, const std::filesystem::path& path) {
+Picture readExr(std::FILE* stream, const std::filesystem::path& path) {
     return readFile(stream, path, [&](Imf::InputFile& file) { return readPixels(file, path); });
 }
 

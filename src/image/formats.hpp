@@ -17,8 +17,8 @@ std::unique_ptr<Writer> openExrWriter(const std::filesystem::path& path, std::ui
                                       std::uint32_t height, const OutputOptions& options);
 
 // The readers take the stream at its start; path is for messages. They throw FileError.
-Image readPng(std::FILE* stream, const std::filesystem::path& path);
-Image readExr(std::FILE* stream, const std::filesystem::path& path);
+Picture readPng(std::FILE* stream, const std::filesystem::path& path);
+Picture readExr(std::FILE* stream, const std::filesystem::path& path);
 Metadata readPngMetadata(std::FILE* stream, const std::filesystem::path& path);
 Metadata readExrMetadata(std::FILE* stream, const std::filesystem::path& path);
 

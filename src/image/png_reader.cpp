@@ -1,17 +1,19 @@
-// PNG by libpng, to linear sRGB. Memory grows with the rows that decode, so that a corrupt header cannot
-// ask for more than the file can fill.
+// PNG by libpng, to linear sRGB, by way of an embedded profile where there is one. Memory grows with the rows
+// that decode, so that a corrupt header cannot ask for more than the file can fill.
 #include <png.h>
 
 #include <bit>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "image/develop.hpp"
+#include "image/color_space.hpp"
 #include "image/formats.hpp"
+#include "image/icc.hpp"
 #include "image/png_guard.hpp"
 
 namespace fringe::image {
@@ -45,10 +47,12 @@ class Decoder {
 public:
     Decoder(std::FILE* stream, std::filesystem::path path);
 
-    Image readPixels();
+    Picture readPixels();
     Metadata texts() const;
 
 private:
+    std::optional<IccDecoder> embeddedProfile() const;
+
     template <class Step>
     void require(const Step& step) {
         if (!guarded(handle_.png, step))
@@ -67,25 +71,33 @@ Decoder::Decoder(std::FILE* stream, std::filesystem::path path) : path_(std::mov
     });
 }
 
-// The linear value of every code of 8 or 16 bits.
-std::vector<float> linearOfCodes(int bits) {
-    std::vector<float> linear(std::size_t{1} << static_cast<unsigned>(bits));
-    const auto maxCode = static_cast<double>(linear.size() - 1);
-    for (std::size_t code = 0; code < linear.size(); ++code)
-        linear[code] = static_cast<float>(decodeSrgb(static_cast<double>(code) / maxCode));
-    return linear;
+// The value of every code of 8 or 16 bits: 0..1, by the curve.
+std::vector<float> valuesOfCodes(int bits, TransferCurve curve) {
+    std::vector<float> values(std::size_t{1} << static_cast<unsigned>(bits));
+    const auto maxCode = static_cast<double>(values.size() - 1);
+    for (std::size_t code = 0; code < values.size(); ++code)
+        values[code] = static_cast<float>(curve(static_cast<double>(code) / maxCode));
+    return values;
 }
 
 template <class Code>
-void appendRow(const std::vector<Code>& rgb, const std::vector<float>& linear, std::vector<Pixel>& pixels) {
-    for (std::size_t i = 0; i < rgb.size(); i += 3)
-        pixels.push_back({linear[rgb[i]], linear[rgb[i + 1]], linear[rgb[i + 2]], false});
+void look(const std::vector<Code>& codes, const std::vector<float>& values, std::vector<float>& rgb) {
+    for (std::size_t i = 0; i < codes.size(); ++i) rgb[i] = values[codes[i]];
 }
 
-Image Decoder::readPixels() {
+std::optional<IccDecoder> Decoder::embeddedProfile() const {
+    png_charp name = nullptr;
+    int compression = 0;
+    png_bytep bytes = nullptr;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(handle_.png, handle_.info, &name, &compression, &bytes, &size) == 0) return {};
+    return IccDecoder::create({bytes, size});
+}
+
+Picture Decoder::readPixels() {
     const png_structp png = handle_.png;
     const png_infop info = handle_.info;
-    Image image{png_get_image_width(png, info), png_get_image_height(png, info), {}};
+    Picture image{png_get_image_width(png, info), png_get_image_height(png, info), Quantity::color, {}};
     requireReadableSize(path_, image.width, image.height);
     if (png_get_interlace_type(png, info) != PNG_INTERLACE_NONE)
         throw FileError(path_, "is an interlaced PNG; save it without interlacing");
@@ -100,13 +112,19 @@ Image Decoder::readPixels() {
         png_read_update_info(png, info);
     });
 
-    const std::vector<float> linear = linearOfCodes(isDeep ? 16 : 8);
+    const std::optional<IccDecoder> profile = embeddedProfile();
+    const auto asItIs = [](double encoded) { return encoded; };
+    const std::vector<float> values = valuesOfCodes(isDeep ? 16 : 8, profile ? asItIs : decodeSrgb);
+    std::vector<float> rgb(std::size_t{3} * image.width);
     std::vector<std::uint8_t> row8(isDeep ? 0 : std::size_t{3} * image.width);
     std::vector<std::uint16_t> row16(isDeep ? std::size_t{3} * image.width : 0);
     const auto row = isDeep ? reinterpret_cast<png_bytep>(row16.data()) : row8.data();
     for (std::uint32_t y = 0; y < image.height; ++y) {
         require([&] { png_read_row(png, row, nullptr); });
-        isDeep ? appendRow(row16, linear, image.pixels) : appendRow(row8, linear, image.pixels);
+        isDeep ? look(row16, values, rgb) : look(row8, values, rgb);
+        if (profile) profile->decode(rgb);
+        for (std::size_t i = 0; i < rgb.size(); i += 3)
+            image.pixels.push_back({rgb[i], rgb[i + 1], rgb[i + 2], false});
     }
     require([&] { png_read_end(png, nullptr); });
     return image;
@@ -140,7 +158,7 @@ Metadata Decoder::texts() const {
 
 }  // namespace
 
-Image readPng(std::FILE* stream, const std::filesystem::path& path) {
+Picture readPng(std::FILE* stream, const std::filesystem::path& path) {
     return Decoder(stream, path).readPixels();
 }
 

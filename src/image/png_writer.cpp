@@ -1,8 +1,9 @@
-// PNG by libpng: 8 or 16 bit RGB, marked as sRGB, with the metadata as text before the pixels.
+// PNG by libpng: 8 or 16 bit RGB, marked with its colour space, with the metadata as text before the pixels.
 #include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <new>
@@ -11,6 +12,7 @@
 
 #include "image/develop.hpp"
 #include "image/formats.hpp"
+#include "image/icc.hpp"
 #include "image/pending_file.hpp"
 #include "image/png_guard.hpp"
 
@@ -35,6 +37,13 @@ int textKind(const std::string& text) {
     const bool isAscii = std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
     if (text.size() < kCompressFrom) return isAscii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     return isAscii ? PNG_TEXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_zTXt;
+}
+
+// The content of a cICP chunk (PNG, third edition), which readers prefer to a profile: primaries and transfer
+// function by the code points of Rec. ITU-T H.273; RGB, full range.
+std::array<std::uint8_t, 4> codePointsOf(ColorSpace space) {
+    if (space == ColorSpace::displayP3) return {12, 13, 0, 1};
+    return {9, 14, 0, 1};  // Rec. 2020
 }
 
 // libpng's view of the metadata; it copies the texts and changes none.
@@ -97,14 +106,14 @@ private:
     Encoder encoder_;
     std::uint32_t width_;
     std::uint32_t rowsLeft_;
-    double exposure_;
+    Development development_;
     std::vector<std::uint8_t> row8_;  // of these two, the one of the file's depth holds a developed row
     std::vector<std::uint16_t> row16_;
 };
 
 PngWriter::PngWriter(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                      const OutputOptions& options)
-    : file_(path), width_(width), rowsLeft_(height), exposure_(options.exposure) {
+    : file_(path), width_(width), rowsLeft_(height), development_(options.development) {
     (options.pngBits == 8 ? row8_.resize(std::size_t{3} * width) : row16_.resize(std::size_t{3} * width));
     writeHeader(options);
 }
@@ -113,6 +122,11 @@ void PngWriter::writeHeader(const OutputOptions& options) {
     const png_structp png = encoder_.png;
     const png_infop info = encoder_.info;
     const std::vector<png_text> texts = textsOf(options.metadata);
+    const ColorSpace space = options.development.colorSpace;
+    const std::vector<std::uint8_t> profile =
+        space == ColorSpace::srgb ? std::vector<std::uint8_t>() : iccProfile(space);
+    std::array<std::uint8_t, 4> points = codePointsOf(space);
+    png_unknown_chunk codePoints{{'c', 'I', 'C', 'P', 0}, points.data(), points.size(), PNG_HAVE_IHDR};
     require([&] {
         png_set_write_fn(png, &file_, writeBytes, flushNothing);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilter);
@@ -120,7 +134,15 @@ void PngWriter::writeHeader(const OutputOptions& options) {
         png_set_compression_strategy(png, strategyFor(options.pngBits));
         png_set_IHDR(png, info, width_, rowsLeft_, options.pngBits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);  // the latter two for old readers
+        if (space == ColorSpace::srgb) {
+            png_set_sRGB_gAMA_and_cHRM(png, info,
+                                       PNG_sRGB_INTENT_RELATIVE);  // the latter two for old readers
+        } else {
+            png_set_iCCP(png, info, nameOf(space), PNG_COMPRESSION_TYPE_BASE, profile.data(),
+                         static_cast<png_uint_32>(profile.size()));
+            png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, nullptr, 0);
+            png_set_unknown_chunks(png, info, &codePoints, 1);
+        }
         png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
         png_write_info(png, info);
         if (options.pngBits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
@@ -138,10 +160,10 @@ void PngWriter::writeRows(std::span<const Pixel> rows) {
 
 png_const_bytep PngWriter::developRow(std::span<const Pixel> row) {
     if (row16_.empty()) {
-        develop8(row, exposure_, row8_);
+        develop8(development_, row, row8_);
         return row8_.data();
     }
-    develop16(row, exposure_, row16_);
+    develop16(development_, row, row16_);
     return reinterpret_cast<png_const_bytep>(row16_.data());
 }
 

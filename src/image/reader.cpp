@@ -49,7 +49,7 @@ void requireReadableSize(const std::filesystem::path& path, std::int64_t width, 
                                   " pixels; a side has 1 to " + std::to_string(kMaxReadSide));
 }
 
-Image readImage(const std::filesystem::path& path) {
+Picture readImage(const std::filesystem::path& path) {
     const Stream stream = openForReading(path);
     const bool isPng = formatOf(stream.get(), path) == Format::png;
     return isPng ? readPng(stream.get(), path) : readExr(stream.get(), path);

@@ -28,10 +28,23 @@ Format formatOf(const std::filesystem::path& path) {
 
 bool isMetadataKey(const std::string& key) {
     // Header attributes that readers of EXR files expect to hold their own type.
-    static constexpr std::array<std::string_view, 15> taken = {
-        "channels",          "chromaticities", "chunkCount", "compression",      "dataWindow",
-        "displayWindow",     "lineOrder",      "name",       "pixelAspectRatio", "screenWindowCenter",
-        "screenWindowWidth", "tiles",          "type",       "version",          "view"};
+    static constexpr std::array<std::string_view, 17> taken = {"channels",
+                                                               "chromaticities",
+                                                               "chunkCount",
+                                                               "compression",
+                                                               "dataWindow",
+                                                               "displayWindow",
+                                                               "lineOrder",
+                                                               "name",
+                                                               "pixelAspectRatio",
+                                                               "screenWindowCenter",
+                                                               "screenWindowWidth",
+                                                               "tiles",
+                                                               "type",
+                                                               "unit",
+                                                               "version",
+                                                               "view",
+                                                               "whiteLuminance"};
     const auto isPrintable = [](char c) { return c >= ' ' && c <= '~'; };
     return !key.empty() && key.size() <= 79 && std::all_of(key.begin(), key.end(), isPrintable) &&
            key.front() != ' ' && key.back() != ' ' && key.find("  ") == std::string::npos &&
@@ -42,12 +55,17 @@ std::unique_ptr<Writer> openWriter(const std::filesystem::path& path, std::uint3
                                    std::uint32_t height, const OutputOptions& options) {
     assert(width > 0 && height > 0);
     assert(options.pngBits == 8 || options.pngBits == 16);
+    assert(options.quantity != Quantity::luminance || options.whiteLuminance > 0.0);
     assert(std::all_of(options.metadata.begin(), options.metadata.end(), [](const auto& entry) {
         return isMetadataKey(entry.first) && entry.second.find('\0') == std::string::npos;
     }));
 
-    return formatOf(path) == Format::png ? openPngWriter(path, width, height, options)
-                                         : openExrWriter(path, width, height, options);
+    const Format format = formatOf(path);
+    if (format == Format::png && options.quantity != Quantity::color)
+        throw FileError(path, std::string("a PNG file holds colours only; give ") + nameOf(options.quantity) +
+                                  " a name that ends in .exr");
+    return format == Format::png ? openPngWriter(path, width, height, options)
+                                 : openExrWriter(path, width, height, options);
 }
 
 void requireWritable(const std::filesystem::path& path) {

@@ -8,14 +8,24 @@
 #include <memory>
 #include <span>
 
+#include "image/develop.hpp"
 #include "image/file_error.hpp"
 #include "image/image.hpp"
 
 namespace fringe::image {
 
+// The channels of a colour in an EXR file.
+enum class ExrColor {
+    rgb,  // linear in the primaries of Rec. 709, stated by the attribute `chromaticities`
+    xyz   // the film as it is
+};
+
 struct OutputOptions {
-    double exposure = 0.0;          // stops; PNG only, EXR holds the linear values as they are
-    int pngBits = 8;                // 8 or 16
+    Development development = {};         // PNG only, EXR holds linear values under the light of the scene
+    int pngBits = 8;                      // 8 or 16
+    Quantity quantity = Quantity::color;  // EXR only, unless it is a colour: one channel, named after it
+    ExrColor exrColor = ExrColor::rgb;
+    double whiteLuminance = 0.0;    // cd/m^2 of Y = 1, > 0 for luminance; EXR states it where it is known
     bool exrFloat = false;          // 32 bit float channels instead of 16 bit half
     bool nonFiniteChannel = false;  // EXR only: a half channel "nonfinite", 1 where the pixel is marked
     Metadata metadata = {};         // keys: see isMetadataKey; values: UTF-8 without NUL
@@ -41,8 +51,9 @@ public:
 };
 
 // A writer for the format that the extension names, .png or .exr in any case. An existing file is
-// replaced by finish(), a symbolic link is followed. Throws FileError when the extension is another,
-// the folder is missing or not writable, or the target is anything but a regular file.
+// replaced by finish(), a symbolic link is followed. Throws FileError when the extension is another, or is
+// .png and the quantity no colour, the folder is missing or not writable, or the target is anything but a
+// regular file.
 std::unique_ptr<Writer> openWriter(const std::filesystem::path& path, std::uint32_t width,
                                    std::uint32_t height, const OutputOptions& options);
 

@@ -1,33 +1,17 @@
 #include "optics/quadrature.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "optics/integrals.hpp"
 
 namespace fringe::optics {
 namespace {
 
 // A wavelength given in metres may miss the end of the range by a rounding.
 constexpr double kRounding_nm = 1e-6;
-
-// Gauss-Legendre rules on [0, 1].
-struct Sample {
-    double position;
-    double weight;
-};
-// Exact for cubics: density, filter and f are linear each.
-constexpr std::array<Sample, 2> kTwoPoints{{
-    {0.21132486540518712, 0.5},
-    {0.78867513459481288, 0.5},
-}};
-constexpr std::array<Sample, 5> kFivePoints{{
-    {0.046910077030668004, 0.11846344252809454},
-    {0.23076534494715846, 0.23931433524968324},
-    {0.5, 0.28444444444444444},
-    {0.76923465505284154, 0.23931433524968324},
-    {0.953089922969332, 0.11846344252809454},
-}};
 
 struct Range {
     double from_nm;
@@ -65,16 +49,17 @@ private:
     std::vector<double> points_;
 };
 
-template <std::size_t kCount, class Integrand>
-std::vector<Node> nodes(const std::vector<double>& breaks, const std::array<Sample, kCount>& rule,
+template <class Integrand>
+std::vector<Node> nodes(const std::vector<double>& breaks, const GaussRule& rule,
                         const Integrand& integrand) {
     std::vector<Node> result;
-    result.reserve((breaks.size() - 1) * kCount);
+    result.reserve((breaks.size() - 1) * rule.nodes.size());
     for (std::size_t i = 1; i < breaks.size(); ++i) {
-        const double width = breaks[i] - breaks[i - 1];
-        for (const Sample& sample : rule) {
-            const double wavelength_nm = breaks[i - 1] + sample.position * width;
-            result.push_back({wavelength_nm, sample.weight * width * integrand(wavelength_nm)});
+        const double middle = 0.5 * (breaks[i - 1] + breaks[i]);
+        const double half = 0.5 * (breaks[i] - breaks[i - 1]);
+        for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+            const double wavelength_nm = middle + half * rule.nodes[k];
+            result.push_back({wavelength_nm, half * rule.weights[k] * integrand(wavelength_nm)});
         }
     }
     return result;
@@ -86,10 +71,11 @@ std::vector<Node> densityNodes(const Curve& density, const Curve& filter) {
     const Range range =
         overlap({kShortestVisible_nm, kLongestVisible_nm}, overlap(support(density), support(filter)));
     if (!(range.from_nm < range.to_nm)) return {};
+    static const GaussRule rule = gaussLegendre(2);  // exact: density, filter and f are linear each
     Breaks breaks(range);
     breaks.add(density);
     breaks.add(filter);
-    return nodes(std::move(breaks).sorted(), kTwoPoints, [&](double wavelength_nm) {
+    return nodes(std::move(breaks).sorted(), rule, [&](double wavelength_nm) {
         return valueAt(density, wavelength_nm) * valueAt(filter, wavelength_nm);
     });
 }
@@ -105,6 +91,7 @@ std::vector<Node> lineNodes(const Line& line, const Curve& filter) {
     // 7 deviations hold all but 3e-12 of the power; over one of them five points integrate the Gaussian times
     // a quadratic to 4e-10.
     constexpr double kDeviations = 7.0;
+    static const GaussRule rule = gaussLegendre(5);
     const double deviation_nm = line.width / units::nm / (2.0 * std::sqrt(2.0 * std::numbers::ln2));
     const Range range = overlap({kShortestVisible_nm, kLongestVisible_nm},
                                 overlap(support(filter), {centre_nm - kDeviations * deviation_nm,
@@ -114,7 +101,7 @@ std::vector<Node> lineNodes(const Line& line, const Curve& filter) {
     breaks.add(filter);
     for (double k = -kDeviations; k <= kDeviations; ++k) breaks.add(centre_nm + k * deviation_nm);
     const double peak = line.power / (deviation_nm * std::sqrt(2.0 * std::numbers::pi));
-    return nodes(std::move(breaks).sorted(), kFivePoints, [&](double wavelength_nm) {
+    return nodes(std::move(breaks).sorted(), rule, [&](double wavelength_nm) {
         const double x = (wavelength_nm - centre_nm) / deviation_nm;
         return peak * std::exp(-0.5 * x * x) * valueAt(filter, wavelength_nm);
     });

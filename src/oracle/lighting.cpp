@@ -1,6 +1,7 @@
 #include "oracle/lighting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,51 +52,81 @@ double fromLamp(const World& world, const Receiver& receiver, const scene::Direc
 }
 
 // One point of the emitter stands for all of it.
-Rgb fromEmitter(const World& world, const Receiver& receiver, const Surface& surface, const glm::dvec2& u) {
+double fromEmitter(const World& world, const Receiver& receiver, const Surface& surface,
+                   const glm::dvec2& u) {
     const auto& emitter = std::get<Emitter>(surface.material);
     const std::optional<EmitterPoint> point = pointOn(surface.shape, emitter.twoSided, receiver.position, u);
-    if (!point) return Rgb(0.0);
+    if (!point) return 0.0;
     const double cosine = dot(glm::normalize(point->position - receiver.position), receiver.normal);
-    if (cosine <= 0.0) return Rgb(0.0);
-    if (!sees(world, receiver.position, receiver.normal, point->position, &surface)) return Rgb(0.0);
+    if (cosine <= 0.0) return 0.0;
+    if (!sees(world, receiver.position, receiver.normal, point->position, &surface)) return 0.0;
     return point->solidAngle * cosine * emitter.radiance;
 }
 
 // Directions in proportion to their cosine, by dropping the points of a disc on the hemisphere over it.
-Rgb fromBackground(const World& world, const Receiver& receiver, const glm::dvec2& u) {
+bool seesSomeSky(const World& world, const Receiver& receiver, const glm::dvec2& u) {
     const glm::dvec2 across = onUnitDisc(u);
     const double cosine = std::sqrt(std::max(0.0, 1.0 - dot(across, across)));
     const dvec3 direction = Frame::around(receiver.normal).toWorld(dvec3(across, cosine));
-    return seesSky(world, receiver.position, receiver.normal, direction) ? pi * world.background : Rgb(0.0);
+    return seesSky(world, receiver.position, receiver.normal, direction);
 }
+
+// Nanometres: dominant wavelengths of the sRGB primaries, where what a path leaves stands for the channel.
+constexpr std::array<double, 3> kPrimaries_nm{611.4, 549.1, 464.2};
 
 }  // namespace
 
-Rgb irradiance(const World& world, const Receiver& receiver, const Sampler& sampler, Dimension dimension) {
-    Rgb sum(0.0);
+Xyz fromLights(const World& world, const Receiver& receiver, const Throughput& throughput,
+               const Sampler& sampler, Dimension dimension) {
+    Xyz sum(0.0);
+    const auto add = [&](double irradiance, std::size_t spectrum) {
+        if (irradiance == 0.0) return;
+        sum += irradiance * world.palette.color(spectrum, receiver.reflectance, throughput);
+    };
     for (const Lamp& lamp : world.lamps) {
-        sum += lamp.color *
-               std::visit([&](const auto& model) { return fromLamp(world, receiver, model); }, lamp.model);
+        add(std::visit([&](const auto& model) { return fromLamp(world, receiver, model); }, lamp.model),
+            lamp.spectrum);
     }
     for (std::size_t i = 0; i < world.surfaces.size(); ++i) {
         const Surface& surface = world.surfaces[i];
-        if (!std::holds_alternative<Emitter>(surface.material)) continue;
-        sum += fromEmitter(world, receiver, surface, sampler.pair(derived(dimension, i)));
+        const auto* emitter = std::get_if<Emitter>(&surface.material);
+        if (!emitter) continue;
+        add(fromEmitter(world, receiver, surface, sampler.pair(derived(dimension, i))), emitter->spectrum);
     }
-    if (world.background != Rgb(0.0)) {
-        sum += fromBackground(world, receiver, sampler.pair(derived(dimension, world.surfaces.size())));
+    if (!world.skies.empty() &&
+        seesSomeSky(world, receiver, sampler.pair(derived(dimension, world.surfaces.size())))) {
+        for (const Sky& sky : world.skies) add(pi * sky.radiance, sky.spectrum);
     }
     return sum;
 }
 
-Value gratingLight(const World& world, const Receiver& receiver) {
-    Value sum;
-    for (const auto& [color, grating] : world.gratings) {
-        const Rgb value = gratingValue(grating, receiver.position);
-        if (value == Rgb(0.0) || !sees(world, receiver.position, receiver.normal, grating.position)) continue;
-        sum += flagged(grating.power.si * color * value);
+Xyz fromGratings(const World& world, const Receiver& receiver, const Throughput& throughput) {
+    Xyz sum(0.0);
+    for (const Grating& grating : world.gratings) {
+        const std::optional<dvec3> source = grating.sourceFor(receiver.position);
+        if (!source || !sees(world, receiver.position, receiver.normal, *source)) continue;
+        sum += grating.color(receiver.position, receiver.normal,
+                             world.palette.passage(receiver.reflectance, throughput));
     }
     return sum;
+}
+
+Value fromThesisGratings(const World& world, const Receiver& receiver, const Throughput& throughput) {
+    Value sum;
+    for (const auto& [color, grating] : world.thesisGratings) {
+        const Rgb value = gratingValue(grating, receiver.position);
+        if (value == Rgb(0.0) || !sees(world, receiver.position, receiver.normal, grating.position)) continue;
+        sum += thesisValue(grating.power.si * color * value, throughput);
+    }
+    return sum;
+}
+
+Value thesisValue(const Rgb& rgb, const Throughput& throughput) {
+    if (!std::isfinite(rgb.r) || !std::isfinite(rgb.g) || !std::isfinite(rgb.b)) return {Xyz(0.0), true};
+    Rgb left = rgb;
+    for (int channel = 0; channel < 3; ++channel)
+        left[channel] *= throughput.at(kPrimaries_nm[static_cast<std::size_t>(channel)]);
+    return {xyzFromRgb() * left, false};
 }
 
 }  // namespace fringe::oracle

@@ -7,17 +7,28 @@
 
 namespace fringe::oracle {
 
-// A point that is lit, `normal` on the side that counts.
+// A point that is lit, `normal` on the side that counts; reflectance in the palette.
 struct Receiver {
     dvec3 position;
     dvec3 normal;
+    std::size_t reflectance = Palette::kWhite;
 };
 
-// Watts per square metre and channel from lamps, emitters and the background, each emitter and the background
-// seen in one direction that `sampler` picks under names derived from `dimension`.
-Rgb irradiance(const World& world, const Receiver& receiver, const Sampler& sampler, Dimension dimension);
+// What a matt surface sends back of the light of lamps, emitters and the background, times pi, at the end of
+// a path: each emitter and the background seen in one direction that `sampler` picks under names derived from
+// `dimension`. Reflectance and throughput 1 make it the colour of the irradiance.
+Xyz fromLights(const World& world, const Receiver& receiver, const Throughput& throughput,
+               const Sampler& sampler, Dimension dimension);
 
-// What the gratings of the thesis add to the picture here: no cosine, on both sides of the surface.
-Value gratingLight(const World& world, const Receiver& receiver);
+// The same of the light of gratings, without samples.
+Xyz fromGratings(const World& world, const Receiver& receiver, const Throughput& throughput);
+
+// What the gratings of the thesis add to the picture here: no cosine, on both sides of the surface, and its
+// own sRGB, of which a path leaves what it leaves of the primaries.
+Value fromThesisGratings(const World& world, const Receiver& receiver, const Throughput& throughput);
+
+// A value of the thesis at the end of a path. It may have been 0/0 in some channel: as in the thesis's
+// listing, where every channel is added to all three (times 0 for two of them), one NaN spoils the whole.
+Value thesisValue(const Rgb& rgb, const Throughput& throughput);
 
 }  // namespace fringe::oracle

@@ -11,7 +11,7 @@
 namespace fringe::oracle {
 namespace {
 
-// A branch at glass that keeps less than this of the path's light, in every channel, is not followed.
+// A branch at glass that keeps less than this of the path's light, at every wavelength, is not followed.
 constexpr double kFaintest = 1.0 / 4096.0;
 
 enum Branch : std::uint64_t { reflection, refraction };
@@ -30,7 +30,7 @@ struct Tracer::Encounter {
 
 Value Tracer::radiance(const Ray& ray, const Path& path) const {
     const std::optional<SurfaceHit> hit = nearest(world_, ray);
-    if (!hit) return {world_.background};
+    if (!hit) return {background(world_, path.throughput)};
 
     const double approach = -glm::dot(ray.direction, hit->normal);
     const bool front = approach >= 0.0;
@@ -39,19 +39,26 @@ Value Tracer::radiance(const Ray& ray, const Path& path) const {
     return std::visit([&](const auto& material) { return shade(material, at); }, hit->surface->material);
 }
 
-Value Tracer::shade(const scene::Diffuse& material, const Encounter& at) const {
-    const Receiver receiver{at.hit.position, at.facing};
-    const Rgb received = irradiance(world_, receiver, sampler_, at.path.dimension);
-    Value value = gratingLight(world_, receiver);
-    value.rgb += material.reflectance / std::numbers::pi * received;
+Value Tracer::shade(const Matt& material, const Encounter& at) const {
+    const Receiver receiver{at.hit.position, at.facing, material.reflectance};
+    const Throughput& throughput = at.path.throughput;
+    Value value = fromThesisGratings(world_, receiver, throughput);
+    value.xyz += (fromLights(world_, receiver, throughput, sampler_, at.path.dimension) +
+                  fromGratings(world_, receiver, throughput)) /
+                 std::numbers::pi;
     return value;
 }
 
 Value Tracer::shade(const Mirror& material, const Encounter& at) const {
-    Rgb share;
-    for (int channel = 0; channel < 3; ++channel)
-        share[channel] = reflectance(at.cosine, material.index[channel]);
-    return follow(at, reflected(at.ray.direction, at.facing), share, reflection);
+    Throughput throughput = at.path.throughput;
+    throughput.reflectFrom(material.metal, at.cosine);
+    return follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
+}
+
+Value Tracer::shade(const Lacquer& material, const Encounter& at) const {
+    Throughput throughput = at.path.throughput;
+    throughput.passShare(reflectance(at.cosine, material.ior));
+    return follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
 }
 
 Value Tracer::shade(const scene::Dielectric& material, const Encounter& at) const {
@@ -59,36 +66,41 @@ Value Tracer::shade(const scene::Dielectric& material, const Encounter& at) cons
     const std::optional<dvec3> through = refracted(at.ray.direction, at.facing, relativeIndex);
     const double share = through ? reflectance(at.cosine, relativeIndex) : 1.0;
 
-    const Rgb& throughput = at.path.throughput;
-    const double brightest = std::max({throughput.r, throughput.g, throughput.b});
+    const double brightest = at.path.throughput.brightest();
     Value value;
-    if (brightest * share >= kFaintest) {
-        value += follow(at, reflected(at.ray.direction, at.facing), Rgb(share), reflection);
-    }
-    if (through && brightest * (1.0 - share) >= kFaintest) {
-        value += follow(at, *through, Rgb(1.0 - share), refraction);
-    }
+    const auto addBranch = [&](const dvec3& direction, double branchShare, Branch branch) {
+        if (brightest * branchShare < kFaintest) return;
+        Throughput throughput = at.path.throughput;
+        throughput.passShare(branchShare);
+        value += follow(at, direction, throughput, branch);
+    };
+    addBranch(reflected(at.ray.direction, at.facing), share, reflection);
+    if (through) addBranch(*through, 1.0 - share, refraction);
     return value;
 }
 
 Value Tracer::shade(const Emitter& material, const Encounter& at) const {
-    return {at.front || material.twoSided ? material.radiance : Rgb(0.0)};
+    if (!at.front && !material.twoSided) return {};
+    return {material.radiance * world_.palette.color(material.spectrum, Palette::kWhite, at.path.throughput)};
 }
 
 Value Tracer::shade(const scene::ThesisDisc& material, const Encounter& at) const {
     const auto& disc = std::get<scene::Disc>(at.hit.surface->shape);
     Value value =
-        flagged(world_.sumOfColors * discPattern(material, disc, at.hit.position, at.ray.direction));
-    value += follow(at, reflected(at.ray.direction, at.facing), Rgb(material.mirrorReflectance), reflection);
+        thesisValue(world_.sumOfColors * discPattern(material, disc, at.hit.position, at.ray.direction),
+                    at.path.throughput);
+    Throughput throughput = at.path.throughput;
+    throughput.passShare(material.mirrorReflectance);
+    value += follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
     return value;
 }
 
-Value Tracer::follow(const Encounter& at, const dvec3& direction, const Rgb& share,
+Value Tracer::follow(const Encounter& at, const dvec3& direction, const Throughput& throughput,
                      std::uint64_t branch) const {
     if (at.path.bounces == maxDepth_) return {};
-    const Path path{at.path.throughput * share, at.path.bounces + 1, derived(at.path.dimension, branch)};
+    const Path path{throughput, at.path.bounces + 1, derived(at.path.dimension, branch)};
     const Ray ray{liftOff(at.hit.position, at.hit.normal, direction), glm::normalize(direction)};
-    return share * radiance(ray, path);
+    return radiance(ray, path);
 }
 
 }  // namespace fringe::oracle

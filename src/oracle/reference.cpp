@@ -15,10 +15,10 @@ enum Sampled : Dimension { inPixel, onLens, alongPath };
 
 }  // namespace
 
-Reference::Reference(const scene::Scene& scene)
+Reference::Reference(const scene::Scene& scene, image::Quantity quantity)
     : image_(scene.image),
       camera_(scene.camera, scene.image.width, scene.image.height),
-      world_(makeWorld(scene)) {}
+      world_(makeWorld(scene, quantity)) {}
 
 bool Reference::render(std::uint32_t firstRow, std::uint32_t rowCount, std::span<image::Pixel> out,
                        unsigned threads, const std::atomic<bool>& cancelled) const {
@@ -52,8 +52,8 @@ image::Pixel Reference::pixel(std::uint32_t x, std::uint32_t y, const std::atomi
         sum += tracer.radiance(ray, Path{.dimension = alongPath});
     }
     if (sum.nonFinite) return {.nonFinite = true};
-    const Rgb mean = sum.rgb / static_cast<double>(image_.samples);
-    return {static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b)};
+    const Xyz mean = sum.xyz / static_cast<double>(image_.samples);
+    return {static_cast<float>(mean.x), static_cast<float>(mean.y), static_cast<float>(mean.z)};
 }
 
 }  // namespace fringe::oracle

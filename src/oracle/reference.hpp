@@ -18,7 +18,7 @@ namespace fringe::oracle {
 // Immutable once made; `render` may be called from several threads at once.
 class Reference {
 public:
-    explicit Reference(const scene::Scene& scene);
+    explicit Reference(const scene::Scene& scene, image::Quantity quantity = image::Quantity::color);
 
     // Renders rows [firstRow, firstRow + rowCount) of the picture into `out` (rowCount * width pixels, row by
     // row), on `threads` >= 1 threads, the caller's among them. Every pixel depends on the scene alone: not

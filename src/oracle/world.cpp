@@ -4,66 +4,68 @@
 #include <numbers>
 
 #include "oracle/emitters.hpp"
-#include "oracle/metals.hpp"
 
 namespace fringe::oracle {
 namespace {
 
-using namespace units;
-
-// Dominant wavelengths of the sRGB primaries, where a metal's index stands for the whole channel.
-constexpr std::array<Length, 3> kPrimaries{611.4 * nm, 549.1 * nm, 464.2 * nm};
-
-SurfaceMaterial prepared(const scene::Conductor& conductor) {
-    Mirror mirror;
-    for (int channel = 0; channel < 3; ++channel) {
-        mirror.index[channel] = refractiveIndex(conductor.metal, kPrimaries[channel]);
-    }
-    return mirror;
-}
-
-SurfaceMaterial prepared(const scene::Emissive& material) {
-    return Emitter{material.radiance.si * material.color, material.twoSided};
-}
-
-// The others are used as the scene has them.
-template <class Material>
-SurfaceMaterial prepared(const Material& material) {
-    return material;
-}
-
-// Puts one light, of any kind, where it belongs in the world.
-class LightSorter {
+// Puts the scene's materials and lights, of any kind, where they belong in the world.
+class Maker {
 public:
-    LightSorter(World& world, const Rgb& color) : world_(world), color_(color) {}
+    Maker(World& world, image::Quantity quantity) : world_(world), quantity_(quantity) {}
 
-    void operator()(const scene::PointLight& light) { addLamp(light); }
-    void operator()(const scene::SpotLight& light) { addLamp(light); }
-    void operator()(const scene::DirectionalLight& light) { addLamp(light); }
-    void operator()(const scene::EnvironmentLight& light) { world_.background += light.radiance.si * color_; }
-    void operator()(const scene::ThesisGrating& light) {
-        world_.gratings.push_back({color_, light});
-        world_.sumOfColors += color_;
+    SurfaceMaterial operator()(const scene::Diffuse& material) const {
+        if (quantity_ != image::Quantity::irradiance)
+            return Matt{world_.palette.addReflectance(material.reflectance)};
+        return Matt{
+            world_.palette.addReflectance({{kFirst_nm, std::numbers::pi}, {kLast_nm, std::numbers::pi}})};
     }
-    void operator()(const scene::AreaLight& light) {
-        std::visit(
-            [&](const auto& shape) {
-                const double radiance = light.power.si / (std::numbers::pi * area(shape));
-                world_.surfaces.push_back({shape, Emitter{radiance * color_, light.twoSided}});
-            },
-            light.shape);
-        world_.sumOfColors += color_;
+    SurfaceMaterial operator()(const scene::Conductor& material) const { return Mirror{material.metal}; }
+    SurfaceMaterial operator()(const scene::Dielectric& material) const { return material; }
+    SurfaceMaterial operator()(const scene::Emissive& material) const {
+        return Emitter{material.radiance.si, world_.palette.addSpectrum(material.spectrum),
+                       material.twoSided};
+    }
+    SurfaceMaterial operator()(const scene::ThesisDisc& material) const { return material; }
+    // Its undeviated light alone, as if there were no track.
+    SurfaceMaterial operator()(const scene::OpticalDisc& material) const {
+        if (material.metal) return Mirror{*material.metal};
+        return Lacquer{material.coverIndex};
+    }
+
+    void add(const scene::Light& light) {
+        std::visit([&](const auto& model) { add(light, model); }, light.model);
     }
 
 private:
-    template <class Model>
-    void addLamp(const Model& light) {
-        world_.lamps.push_back({color_, light});
-        world_.sumOfColors += color_;
+    template <class Lamp>
+    void add(const scene::Light& light, const Lamp& lamp) {
+        world_.lamps.push_back({world_.palette.addSpectrum(light.spectrum), lamp});
+        world_.sumOfColors += light.color;
+    }
+    void add(const scene::Light& light, const scene::EnvironmentLight& sky) {
+        world_.skies.push_back({sky.radiance.si, world_.palette.addSpectrum(light.spectrum)});
+    }
+    void add(const scene::Light& light, const scene::ThesisGrating& grating) {
+        world_.thesisGratings.push_back({light.color, grating});
+        world_.sumOfColors += light.color;
+    }
+    void add(const scene::Light& light, const scene::Grating& grating) {
+        world_.gratings.emplace_back(grating, light.spectrum);
+        world_.sumOfColors += light.color;
+    }
+    void add(const scene::Light& light, const scene::AreaLight& lamp) {
+        const std::size_t spectrum = world_.palette.addSpectrum(light.spectrum);
+        std::visit(
+            [&](const auto& shape) {
+                const double radiance = lamp.power.si / (std::numbers::pi * area(shape));
+                world_.surfaces.push_back({shape, Emitter{radiance, spectrum, lamp.twoSided}});
+            },
+            lamp.shape);
+        world_.sumOfColors += light.color;
     }
 
     World& world_;
-    Rgb color_;
+    image::Quantity quantity_;
 };
 
 bool blocked(const World& world, const Ray& ray, double distance, const Surface* light) {
@@ -77,15 +79,25 @@ bool blocked(const World& world, const Ray& ray, double distance, const Surface*
 
 }  // namespace
 
-World makeWorld(const scene::Scene& scene) {
+World makeWorld(const scene::Scene& scene, image::Quantity quantity) {
+    const bool radiant = quantity == image::Quantity::radiance || quantity == image::Quantity::irradiance;
     World world;
-    for (const scene::Object& object : scene.objects) {
-        const auto material =
-            std::visit([](const auto& m) { return prepared(m); }, scene.materials[object.material].model);
-        world.surfaces.push_back({object.shape, material});
-    }
-    for (const scene::Light& light : scene.lights) std::visit(LightSorter(world, light.color), light.model);
+    world.palette = Palette(radiant ? radiantResponse : filmResponse);
+    Maker maker(world, quantity);
+    std::vector<SurfaceMaterial> materials;
+    for (const scene::Material& material : scene.materials)
+        materials.push_back(std::visit(maker, material.model));
+    for (const scene::Object& object : scene.objects)
+        world.surfaces.push_back({object.shape, materials[object.material]});
+    for (const scene::Light& light : scene.lights) maker.add(light);
     return world;
+}
+
+Xyz background(const World& world, const Throughput& throughput) {
+    Xyz sum(0.0);
+    for (const Sky& sky : world.skies)
+        sum += sky.radiance * world.palette.color(sky.spectrum, Palette::kWhite, throughput);
+    return sum;
 }
 
 std::optional<SurfaceHit> nearest(const World& world, const Ray& ray) {

@@ -3,30 +3,39 @@
 // area light.
 #pragma once
 
-#include <array>
-#include <complex>
 #include <optional>
 #include <variant>
 #include <vector>
 
+#include "image/image.hpp"
+#include "oracle/grating.hpp"
+#include "oracle/palette.hpp"
 #include "oracle/ray.hpp"
 #include "oracle/shapes.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::oracle {
 
-using scene::Rgb;
+struct Matt {
+    std::size_t reflectance;  // in the palette
+};
 
 struct Mirror {
-    std::array<std::complex<double>, 3> index;  // of the metal, per channel
+    scene::Metal metal;
+};
+
+// An opaque body that reflects at its plain surface and swallows the rest.
+struct Lacquer {
+    double ior;
 };
 
 struct Emitter {
-    Rgb radiance;
-    bool twoSided;  // false: only from the side that the shape's normal points to
+    double radiance;
+    std::size_t spectrum;  // in the palette
+    bool twoSided;         // false: only from the side that the shape's normal points to
 };
 
-using SurfaceMaterial = std::variant<scene::Diffuse, Mirror, scene::Dielectric, Emitter, scene::ThesisDisc>;
+using SurfaceMaterial = std::variant<Matt, Mirror, Lacquer, scene::Dielectric, Emitter, scene::ThesisDisc>;
 
 struct Surface {
     scene::Shape shape;
@@ -35,25 +44,39 @@ struct Surface {
 
 // A light without extent: it reaches a point along one direction.
 struct Lamp {
-    Rgb color;
+    std::size_t spectrum;  // in the palette
     std::variant<scene::PointLight, scene::SpotLight, scene::DirectionalLight> model;
 };
 
-struct Grating {
+struct ThesisGrating {
     Rgb color;
     scene::ThesisGrating model;
 };
 
+// What is seen where there is no surface.
+struct Sky {
+    double radiance;
+    std::size_t spectrum;  // in the palette
+};
+
 struct World {
+    Palette palette;
     std::vector<Surface> surfaces;
     std::vector<Lamp> lamps;
+    std::vector<ThesisGrating> thesisGratings;
     std::vector<Grating> gratings;
-    Rgb background{0.0};  // radiance from where there is no surface
+    std::vector<Sky> skies;
     Rgb sumOfColors{
         0.0};  // of every light but the background: the disc of the thesis adds its pattern once per light
 };
 
-World makeWorld(const scene::Scene& scene);
+// For a film of radiance, the palette's colours are (0, 1, 0); for one of irradiance they are so too, and
+// matt surfaces send back pi times what they get. Values of the thesis have no unit and are sRGB for every
+// film.
+World makeWorld(const scene::Scene& scene, image::Quantity quantity = image::Quantity::color);
+
+// XYZ of the skies at the end of a path.
+Xyz background(const World& world, const Throughput& throughput);
 
 struct SurfaceHit {
     const Surface* surface;

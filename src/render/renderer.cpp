@@ -11,6 +11,7 @@
 #include "render/scene_buffer.hpp"
 #include "render/tiling.hpp"
 #include "shaders/render.comp.h"
+#include "shaders/render_bands.comp.h"
 
 namespace fringe::render {
 namespace {
@@ -146,6 +147,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
     std::memcpy(constants.data(), &specialisation, sizeof specialisation);
     std::span<const std::uint32_t> shader = render_comp;
+    if (scene.inBands) shader = render_bands_comp;
     std::vector<std::uint32_t> withValues;
     if (values == Values::asConstants) {
         withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));

@@ -23,7 +23,13 @@ public:
     // Arrays of no more than FEW elements lie in the block and take no room here.
     template <class Element>
     void addMany(const char* name, const std::vector<Element>& elements) {
-        const vk::DeviceSize size = elements.size() > device::FEW ? elements.size() * sizeof(Element) : 0;
+        if (elements.size() > device::FEW) addAll(name, elements);
+        else add(vk::DescriptorType::eStorageBuffer, nullptr, 0);
+    }
+
+    template <class Element>
+    void addAll(const char* name, const std::vector<Element>& elements) {
+        const vk::DeviceSize size = elements.size() * sizeof(Element);
         if (size > largest_) {
             throw gpu::DeviceError(
                 fmt::format("{} {} take {} MiB, but this device binds at most {} MiB at once",
@@ -62,6 +68,8 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addMany("materials", scene.materials);
     builder.addMany("lights", scene.lights);
     builder.addMany("gratings", scene.gratings);
+    builder.addMany("gratings", scene.slitGratings);
+    builder.addAll("table entries", scene.tables);
     return builder.take();
 }
 

@@ -10,14 +10,28 @@
 #include <unordered_map>
 #include <utility>
 
+#include "scene/extract_spectra.hpp"
 #include "scene/wording.hpp"
 
 namespace fringe::scene {
 namespace {
 
+ColorSpace colorSpaceOf(const Node& node) {
+    static const std::map<std::string, ColorSpace> spaces{
+        {"srgb", ColorSpace::srgb}, {"display-p3", ColorSpace::displayP3}, {"rec2020", ColorSpace::rec2020}};
+    return spaces.at(node.text());
+}
+
 Image imageOf(const Node& node) {
-    return {node["width"].count(), node["height"].count(),    node["samples"].count(),
-            node["seed"].count(),  node["max_depth"].count(), node["exposure"].number()};
+    const Node exposure = node["exposure"];
+    return {.width = node["width"].count(),
+            .height = node["height"].count(),
+            .samples = node["samples"].count(),
+            .seed = node["seed"].count(),
+            .maxDepth = node["max_depth"].count(),
+            .exposure = exposure.isNumber() ? exposure.number() : 0.0,
+            .autoExposure = exposure.isText(),
+            .colorSpace = colorSpaceOf(node["color_space"])};
 }
 
 Camera cameraOf(const Node& node) {
@@ -26,6 +40,7 @@ Camera cameraOf(const Node& node) {
     camera.position = node["position"].vector();
     camera.target = target.vector();
     camera.up = unitDirection(node["up"]);
+    if (node.has("white_balance")) camera.whiteBalance = spectrumOf(node["white_balance"]);
     const dvec3 view = camera.target - camera.position;
     if (glm::length(view) < kSmallestSize) {
         target.refuse("\"target\" is the same point as \"position\"; write a point that the camera looks at",
@@ -47,37 +62,12 @@ Camera cameraOf(const Node& node) {
     return camera;
 }
 
-Metal metalOf(const Node& node) {
-    static const std::map<std::string, Metal> metals{{"aluminium", Metal::aluminium},
-                                                     {"silver", Metal::silver},
-                                                     {"gold", Metal::gold},
-                                                     {"copper", Metal::copper}};
-    return metals.at(node.text());
-}
-
-Material materialOf(const std::string& name, const Node& node) {
-    const std::string type = node["type"].text();
-    if (type == "diffuse") {
-        const Node reflectance = node["reflectance"];
-        return {name, Diffuse{reflectance.isNumber() ? Rgb(reflectance.number()) : reflectance.vector()}};
-    }
-    if (type == "conductor") return {name, Conductor{metalOf(node["metal"])}};
-    if (type == "dielectric") return {name, Dielectric{node["ior"].number()}};
-    if (type == "emissive") {
-        return {name,
-                Emissive{node["radiance"].radiance(), node["color"].vector(), node["two_sided"].flag()}};
-    }
-    assert(type == "optical-disc");
-    return {name, ThesisDisc{slitsOf(node["slits"]), node["mirror_reflectance"].number(),
-                             faultsOf(node["faults"])}};
-}
-
 // Reads the parts of the scene in their order. Names and references are checked even in elements that are
 // otherwise unsound, so that one run finds all problems.
 class Extraction {
 public:
-    Extraction(const Json::Value& root, const Unsound& unsound, Findings& findings)
-        : root_(root), unsound_(unsound), findings_(findings) {}
+    Extraction(const Json::Value& root, const Unsound& unsound, Surroundings& surroundings)
+        : root_(root), unsound_(unsound), surroundings_(surroundings) {}
 
     Scene scene() {
         if (!root_.isObject()) return {};
@@ -100,7 +90,7 @@ private:
         if (found != nullptr && unsound_.contains(found)) return std::nullopt;
         if (found == nullptr && property->required) return std::nullopt;
         const Json::Value& value = found != nullptr ? *found : property->schema.defaultValue;
-        return Node(property->name, value, property->schema, value.getOffsetStart(), findings_);
+        return Node(property->name, value, property->schema, value.getOffsetStart(), surroundings_);
     }
 
     // The elements of an array or the values of a map, sound or not; none if it is no such thing.
@@ -117,7 +107,7 @@ private:
             materialNames_.push_back(member.name());
             if (unsound_.contains(&*member)) continue;
             materialIndices_[member.name()] = static_cast<std::uint32_t>(scene.materials.size());
-            const Node node("materials", *member, schema, member->getOffsetStart(), findings_);
+            const Node node("materials", *member, schema, member->getOffsetStart(), surroundings_);
             materialTypes_.push_back(node["type"]);
             scene.materials.push_back(materialOf(member.name(), node));
         }
@@ -131,7 +121,7 @@ private:
         for (const Json::Value& value : objects) {
             checkReference(value);
             if (unsound_.contains(&value)) continue;
-            const Node node("objects", value, schema, value.getOffsetStart(), findings_);
+            const Node node("objects", value, schema, value.getOffsetStart(), surroundings_);
             Object object{node.has("name") ? node["name"].text() : std::string(), shapeOf(node), 0};
             const auto material = materialIndices_.find(node["material"].text());
             if (material == materialIndices_.end()) continue;  // has its problem already
@@ -148,7 +138,7 @@ private:
         std::optional<Node> environment;
         for (const Json::Value& value : lights) {
             if (unsound_.contains(&value)) continue;
-            const Node node("lights", value, schema, value.getOffsetStart(), findings_);
+            const Node node("lights", value, schema, value.getOffsetStart(), surroundings_);
             scene.lights.push_back(lightOf(node));
             if (!std::holds_alternative<EnvironmentLight>(scene.lights.back().model)) continue;
             if (environment) {
@@ -174,10 +164,10 @@ private:
             const auto [first, isNew] = taken.emplace(name, First{here, offset});
             if (isNew || name.empty()) continue;
             const bool madeByOverride = isOverride(first->second.offset) && !isOverride(offset);
-            findings_.push_back(
+            surroundings_.findings.push_back(
                 {madeByOverride ? first->second.offset : offset,
                  fmt::format("\"{0}\"[{1}] and [{2}] both have the name {3}; give each of the {0} its own",
-                             owner, first->second.index, here, quoted(name))});
+                             owner, first->second.index, here, scene::quoted(name))});
         }
     }
 
@@ -188,22 +178,26 @@ private:
         if (members("materials", &Json::Value::isObject).isMember(name)) return;
         const std::string remedy = materialNames_.empty() ? "add it to \"materials\", which is empty"
                                                           : suggestion(name, materialNames_, "write");
-        findings_.push_back(
-            {reference.getOffsetStart(), fmt::format("no material is named {}; {}", quoted(name), remedy)});
+        surroundings_.findings.push_back(
+            {reference.getOffsetStart(),
+             fmt::format("no material is named {}; {}", scene::quoted(name), remedy)});
     }
 
-    // The algorithm of the thesis takes the centre and the axis of a disc, which other shapes do not have.
+    // Tracks run round the centre and the axis of a disc, which other shapes do not have.
     void checkDiscMaterial(const Node& node, const Object& object, const Material& material) const {
-        if (!std::holds_alternative<ThesisDisc>(material.model)) return;
+        if (!std::holds_alternative<ThesisDisc>(material.model) &&
+            !std::holds_alternative<OpticalDisc>(material.model)) {
+            return;
+        }
         if (std::holds_alternative<Disc>(object.shape)) return;
         node["material"].refuse(fmt::format("{} is an optical disc; give it only to objects of type \"disc\"",
-                                            quoted(material.name)),
+                                            scene::quoted(material.name)),
                                 {node["type"], materialTypes_[object.material]});
     }
 
     const Json::Value& root_;
     const Unsound& unsound_;
-    Findings& findings_;
+    Surroundings& surroundings_;
     std::vector<std::string> materialNames_;                // of all, sound or not
     std::map<std::string, std::uint32_t> materialIndices_;  // into Scene::materials and materialTypes_
     std::vector<Node> materialTypes_;
@@ -211,8 +205,8 @@ private:
 
 }  // namespace
 
-Scene extractScene(const Json::Value& root, const Unsound& unsound, Findings& findings) {
-    return Extraction(root, unsound, findings).scene();
+Scene extractScene(const Json::Value& root, const Unsound& unsound, Surroundings& surroundings) {
+    return Extraction(root, unsound, surroundings).scene();
 }
 
 }  // namespace fringe::scene

@@ -9,9 +9,9 @@
 
 namespace fringe::scene {
 
-// The scene, without the parts that are unsound. What is wrong with the others is added to `findings`; the
+// The scene, without the parts that are unsound. What is wrong with the others is added to the findings; the
 // scene may be used only if there are none, from the validation or from here.
-Scene extractScene(const Json::Value& root, const Unsound& unsound, Findings& findings);
+Scene extractScene(const Json::Value& root, const Unsound& unsound, Surroundings& surroundings);
 
 // ---- parts of it, for sound nodes ----------------------------------------------------------------
 
@@ -37,6 +37,10 @@ Shape shapeOf(const Node& object);
 // Slits with a width that fits the period.
 Slits slitsOf(const Node& node);
 Faults faultsOf(const Node& node);
+Material materialOf(const std::string& name, const Node& node);
+optics::Aperture apertureOf(const Node& node);
+ThesisGrating thesisGratingOf(const Node& light);
+Grating gratingOf(const Node& light);
 Light lightOf(const Node& node);
 
 }  // namespace fringe::scene

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <glm/geometric.hpp>
 
 #include "scene/extract.hpp"
+#include "scene/extract_spectra.hpp"
 
 namespace fringe::scene {
 namespace {
@@ -39,50 +39,17 @@ AreaLight areaLightOf(const Node& node) {
     return {sphereOf(shape), power, twoSided};
 }
 
-ThesisGrating gratingOf(const Node& node) {
-    ThesisGrating grating;
-    grating.position = node["position"].vector();
-    grating.normal = unitDirection(node["normal"]);
-    grating.slitDirection = unitDirection(node["slit_direction"]);
-    if (!refuseParallel(
-            node["slit_direction"], grating.slitDirection, node["normal"], grating.normal,
-            "\"slit_direction\" is parallel to \"normal\", but slits lie in the plane of the grating")) {
-        const dvec3 alongNormal = grating.normal * glm::dot(grating.slitDirection, grating.normal);
-        grating.slitDirection = glm::normalize(grating.slitDirection - alongNormal);
-    }
-    grating.slits = slitsOf(node["aperture"]);
-    grating.beamDiameter = node["beam"]["diameter"].length();
-    grating.power = node["beam"]["power"].power();
-    grating.attenuated = node["attenuation"].text() == "circular";
-    grating.faults = faultsOf(node["faults"]);
-    return grating;
-}
-
 }  // namespace
-
-Slits slitsOf(const Node& node) {
-    const Node width = node["width"];
-    const Node period = node["period"];
-    const Slits slits{node["count"].count(), width.length(), period.length()};
-    if (slits.count > 1 && slits.width > slits.period) {
-        width.refuse(
-            fmt::format(
-                "\"width\" is \"{}\"; write at most the period, which is \"{}\", or the slits overlap",
-                width.text(), period.text()),
-            {period});
-    }
-    return slits;
-}
-
-Faults faultsOf(const Node& node) {
-    return node.text() == "as-printed" ? Faults::asPrinted : Faults::limit;
-}
 
 Light lightOf(const Node& node) {
     Light light;
     if (node.has("name")) light.name = node["name"].text();
     light.color = node["color"].vector();
     const std::string type = node["type"].text();
+    if (type == "grating" && node["model"].text() == "thesis") {
+        light.model = thesisGratingOf(node);
+        return light;
+    }
     if (type == "point") {
         light.model = pointLightOf(node);
     } else if (type == "spot") {
@@ -96,7 +63,11 @@ Light lightOf(const Node& node) {
     } else {
         assert(type == "grating");
         light.model = gratingOf(node);
+        const Node beam = node["beam"];
+        light.spectrum = tinted(spectrumOf(beam["spectrum"], beam["linewidth"].length()), node["color"]);
+        return light;
     }
+    light.spectrum = tinted(spectrumOf(node["spectrum"]), node["color"]);
     return light;
 }
 

@@ -100,8 +100,8 @@ Cone coneOf(const Node& node) {
 
 Triangle triangleOf(const Node& node) {
     const Node vertices = node["vertices"];
-    const Triangle triangle{
-        {vertices.element(0).vector(), vertices.element(1).vector(), vertices.element(2).vector()}};
+    const std::vector<Node> corners = vertices.elements();
+    const Triangle triangle{{corners[0].vector(), corners[1].vector(), corners[2].vector()}};
     const dvec3 a = triangle.vertices[1] - triangle.vertices[0];
     const dvec3 b = triangle.vertices[2] - triangle.vertices[0];
     const dvec3 c = triangle.vertices[2] - triangle.vertices[1];

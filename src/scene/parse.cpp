@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <filesystem>
 #include <utility>
 
 #include "scene/extract.hpp"
@@ -44,7 +45,8 @@ Scene parseScene(std::string_view text, const std::string& fileName, std::span<c
 
     applyOverrides(overrides, sceneSchema(), json.root, findings);
     const Unsound unsound = validate(json.root, sceneSchema(), json.keys, findings);
-    Scene scene = extractScene(json.root, unsound, findings);
+    Surroundings surroundings{findings, std::filesystem::path(fileName).parent_path()};
+    Scene scene = extractScene(json.root, unsound, surroundings);
     requireNone();
     return scene;
 }

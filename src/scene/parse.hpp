@@ -36,7 +36,8 @@ struct Override {
     std::string value;  // "5 mW"
 };
 
-// Reads `text` (UTF-8 JSON with comments); `fileName` only stands in the places of problems. The overrides
+// Reads `text` (UTF-8 JSON with comments). `fileName` stands in the places of problems, and the files that
+// the scene names are looked for in its folder, whether the file or an override names them. The overrides
 // apply in their order, before anything is checked. Materials come in the alphabetical order of their names,
 // objects and lights in that of the file. Lines and columns count from 1, columns in characters.
 // Throws SceneError with every problem found, in the order of the file, then of the overrides.

@@ -32,6 +32,7 @@ constexpr std::array kUnits{
     Unit{"W/m^2", Dimension::irradiance, units::W_per_m2.si},
     Unit{"mW/cm^2", Dimension::irradiance, 10.0 * units::W_per_m2.si},
     Unit{"W/m^2/sr", Dimension::radiance, units::W_per_m2_sr.si},
+    Unit{"K", Dimension::temperature, units::K.si},
 };
 
 struct DimensionName {
@@ -42,7 +43,7 @@ struct DimensionName {
 constexpr std::array kDimensionNames{
     DimensionName{Dimension::length, "length"},     DimensionName{Dimension::angle, "angle"},
     DimensionName{Dimension::power, "power"},       DimensionName{Dimension::irradiance, "irradiance"},
-    DimensionName{Dimension::radiance, "radiance"},
+    DimensionName{Dimension::radiance, "radiance"}, DimensionName{Dimension::temperature, "temperature"},
 };
 
 std::string_view trimmed(std::string_view text) {

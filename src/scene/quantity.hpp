@@ -8,7 +8,7 @@
 
 namespace fringe::scene {
 
-enum class Dimension { length, angle, power, irradiance, radiance };
+enum class Dimension { length, angle, power, irradiance, radiance, temperature };
 
 // "length", "angle", ...: the name that the schema's keyword "unit" uses.
 std::string_view nameOf(Dimension dimension);

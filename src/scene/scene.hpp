@@ -1,7 +1,7 @@
 // The scene as a user described it: SI units, double precision, plain values.
 // Invariant: a Scene that `parseScene` returned is valid (unit directions are normalised, lengths are
 // finite and positive, references resolved), so nothing downstream checks it again.
-// Coordinates are metres, right-handed, y up. Colours are linear sRGB.
+// Coordinates are metres, right-handed, y up. Spectra are whole: RGB of the file is a spectrum here.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "optics/aperture.hpp"
+#include "optics/spectrum.hpp"
 #include "units/units.hpp"
 
 namespace fringe::scene {
@@ -20,6 +22,8 @@ using Rgb = glm::dvec3;  // linear sRGB
 
 // ---- picture and camera -------------------------------------------------------------------------
 
+enum class ColorSpace { srgb, displayP3, rec2020 };  // of PNG files
+
 struct Image {
     std::uint32_t width = 600;
     std::uint32_t height = 600;
@@ -27,6 +31,8 @@ struct Image {
     std::uint32_t seed = 0;      // of the sample pattern
     std::uint32_t maxDepth = 8;  // longest chain of mirror and glass surfaces a path may follow
     double exposure = 0.0;       // stops; at 0 a value of 1 is display white
+    bool autoExposure = false;   // `exposure` is then added to the one found from the picture
+    ColorSpace colorSpace = ColorSpace::srgb;
 };
 
 struct ThinLens {
@@ -48,21 +54,18 @@ struct Camera {
     dvec3 target;
     dvec3 up;
     std::variant<Perspective, Orthographic> projection;
+    std::optional<optics::Spectrum> whiteBalance;  // light that the picture shows as white; without it D65
 };
 
 // ---- materials ----------------------------------------------------------------------------------
 
 enum class Faults { limit, asPrinted };  // what the thesis's 0/0 becomes: its limit, or a flagged NaN
 
-// N slits of `width`, `period` from centre to centre. Invariant: width <= period where there are several.
-struct Slits {
-    std::uint32_t count;
-    units::Length width;
-    units::Length period;
-};
+using optics::Slits;
 
+// Invariant: the curve covers the visible range.
 struct Diffuse {
-    Rgb reflectance;
+    optics::Curve reflectance;
 };
 
 enum class Metal { aluminium, silver, gold, copper };
@@ -77,8 +80,8 @@ struct Dielectric {
 
 struct Emissive {
     units::Radiance radiance;
-    Rgb color;
-    bool twoSided;  // false: only the side that the normal points to
+    optics::Spectrum spectrum;  // per watt of `radiance`; tinted by the material's colour
+    bool twoSided;              // false: only the side that the normal points to
 };
 
 // The compact disc of the thesis as its listing has it (physics: docs/thesis-algorithm.md): the pattern
@@ -89,9 +92,31 @@ struct ThesisDisc {
     Faults faults;
 };
 
+// Share of the incident power that an order takes, where it is known better than scalar theory tells.
+struct OrderEfficiency {
+    int order;
+    optics::Curve efficiency;  // over wavelength, covers the visible range
+};
+
+// An optical disc or record with a spiral track that diffracts light: a metal under a clear cover, or a black
+// lacquer, which reflects at its surface.
+struct OpticalDisc {
+    units::Length pitch;     // of the track, radially
+    units::Length pitWidth;  // of the groove or pit; < pitch
+    units::Length pitDepth;
+    double pitShare;             // of the track's length that is pit: 1 for a groove
+    double coverIndex;           // refractive index of the cover layer; 1 for none
+    std::optional<Metal> metal;  // none: lacquer of that index, opaque; the track is in its surface, in air
+    double dataInnerRadius;      // metres; outside the data there is plain metal
+    double dataOuterRadius;
+    double metalInnerRadius;         // metres; inside lies the clear hub, shown as the cover's plain surface
+    optics::Curve labelReflectance;  // of the back
+    std::vector<OrderEfficiency> efficiencies;  // empty: those of a binary phase grating
+};
+
 struct Material {
     std::string name;
-    std::variant<Diffuse, Conductor, Dielectric, Emissive, ThesisDisc> model;
+    std::variant<Diffuse, Conductor, Dielectric, Emissive, ThesisDisc, OpticalDisc> model;
 };
 
 // ---- shapes -------------------------------------------------------------------------------------
@@ -197,10 +222,40 @@ struct ThesisGrating {
     Faults faults;
 };
 
+enum class BeamProfile { flat, gaussian, rectangle };
+
+// What falls on a grating: collimated, or converging where it is focused.
+struct Beam {
+    BeamProfile profile;
+    units::Length width;   // across the slits: diameter of a flat disc, 1/e^2 diameter of a Gaussian
+    units::Length height;  // along the slits; as the width but for a rectangle
+    dvec3 direction;  // unit, the way the light goes; its part along the normal is > 0 (transmission) or < 0
+                      // (reflection)
+    units::Power power;
+    units::Angle angularSize;            // whole angle that the source fills; 0 for a point at infinity
+    std::optional<units::Length> focus;  // from the grating to where a lens brings the beam together
+};
+
+// A diffraction grating or another aperture in a beam, as a light: scalar theory, docs/theory.md. The light
+// leaves on the side that the normal points to.
+struct Grating {
+    dvec3 position;
+    dvec3 normal;         // unit, outgoing
+    dvec3 slitDirection;  // unit, perpendicular to the normal: the aperture's y; its x is slitDirection x
+                          // normal
+    optics::Aperture aperture;
+    Beam beam;
+    std::optional<double>
+        efficiency;  // share of the beam that leaves; else the open share of the beam's area
+    std::vector<OrderEfficiency> efficiencies;  // of slits; empty: those of an amplitude grating
+};
+
 struct Light {
-    std::string name;  // may be empty
-    Rgb color;         // multiplies power, irradiance or radiance
-    std::variant<PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight, ThesisGrating> model;
+    std::string name;           // may be empty
+    Rgb color;                  // already in the spectrum, but for thesis gratings, which have that alone
+    optics::Spectrum spectrum;  // per watt, W/m^2 or W/(m^2 sr) of the model, tinted by `color`
+    std::variant<PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight, ThesisGrating, Grating>
+        model;
 };
 
 struct Scene {

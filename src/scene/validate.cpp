@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -87,14 +88,14 @@ private:
         return report(value.getOffsetStart(), fmt::format("{} is {}; {}", subject, spoken(value), remedy));
     }
 
-    // The value has none of the types, or as an object none of the "type" constants, that the schema knows.
+    // The value has none of the types, or as an object none of the constants, that the schema knows.
     bool refuseType(const Json::Value& value, const Schema& schema, const Trail& trail) {
         const auto discriminated = [&](const Schema& alternative) {
             return alternative.type == JsonType::object;
         };
         const auto& alternatives = schema.alternatives;
         if (value.isObject() && std::any_of(alternatives.begin(), alternatives.end(), discriminated)) {
-            return refuseDiscriminator(value, schema);
+            return refuseConstants(value, schema);
         }
         if (schema.unit && value.isNumeric()) {
             return report(value.getOffsetStart(),
@@ -105,15 +106,56 @@ private:
                       fmt::format("{} is {}; write {}", trail.subject(), spoken(value), expectation(schema)));
     }
 
-    bool refuseDiscriminator(const Json::Value& value, const Schema& schema) {
-        std::vector<Json::Value> types;
+    // Goes through the constant keys, "type" first as the schema has it, until no alternative is left.
+    bool refuseConstants(const Json::Value& object, const Schema& schema) {
+        std::vector<const Schema*> left;
         for (const Schema& alternative : schema.alternatives) {
-            types.push_back(alternative.find("type")->schema.choices.front());
+            if (alternative.type == JsonType::object) left.push_back(&alternative);
         }
-        if (value.isMember("type")) return refuseChoice(value["type"], types, "\"type\"");
+        std::vector<std::string_view> checked;
+        while (const Property* key = constantOf(left, checked)) {
+            checked.push_back(key->name);
+            const bool written = object.isMember(key->name);
+            std::vector<Json::Value> choices;
+            std::vector<const Schema*> fitting;
+            for (const Schema* alternative : left) {
+                const Property* own = alternative->find(key->name);
+                if (own == nullptr || !own->isConstant()) {
+                    fitting.push_back(alternative);
+                    continue;
+                }
+                const Json::Value& choice = own->schema.choices.front();
+                if (std::find(choices.begin(), choices.end(), choice) == choices.end())
+                    choices.push_back(choice);
+                if (written ? object[key->name] == choice : !own->required) fitting.push_back(alternative);
+            }
+            if (fitting.empty() && written)
+                return refuseChoice(object[key->name], choices, quoted(key->name));
+            if (fitting.empty()) return refuseMissing(object, *key, choices);
+            left = std::move(fitting);
+        }
+        assert(false);  // what is left would have been the alternative
+        return false;
+    }
+
+    // A constant key of the alternatives that is not among those checked; null if there is none.
+    static const Property* constantOf(const std::vector<const Schema*>& alternatives,
+                                      const std::vector<std::string_view>& checked) {
+        for (const Schema* alternative : alternatives) {
+            for (const Property& property : alternative->properties) {
+                const bool isNew = std::find(checked.begin(), checked.end(), property.name) == checked.end();
+                if (property.isConstant() && isNew) return &property;
+            }
+        }
+        return nullptr;
+    }
+
+    bool refuseMissing(const Json::Value& object, const Property& key,
+                       const std::vector<Json::Value>& choices) {
         std::vector<std::string> words;
-        for (const Json::Value& type : types) words.push_back(spoken(type));
-        return report(value.getOffsetStart(), fmt::format("missing key \"type\"; add {}", anyOf(words)));
+        for (const Json::Value& choice : choices) words.push_back(spoken(choice));
+        return report(object.getOffsetStart(),
+                      fmt::format("missing key \"{}\"; add {}", key.name, anyOf(words)));
     }
 
     bool checkObject(const Json::Value& value, const Schema& schema, const Trail& trail) {
@@ -154,6 +196,10 @@ private:
     }
 
     bool checkName(const std::string& name, const Json::Value& member, const Schema& schema) {
+        if (schema.pattern && !std::regex_match(name, *schema.pattern)) {
+            return report(keyOffset(member.getOffsetStart()),
+                          fmt::format("{} is not {}", quoted(name), expectation(schema)));
+        }
         if (name.size() >= schema.minLength) return true;
         return report(keyOffset(member.getOffsetStart()),
                       fmt::format("\"\" is not {}; write at least one letter", schema.title));
@@ -217,6 +263,7 @@ private:
         if (upper && std::abs(number) > upper->value && !schema.maximumReason.empty()) {
             message += fmt::format(" ({})", schema.maximumReason);
         }
+        if (!schema.rangeReason.empty()) message += fmt::format(" ({})", schema.rangeReason);
         return report(value.getOffsetStart(), std::move(message));
     }
 

@@ -10,8 +10,7 @@
 namespace fringe::scene {
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;  // bytes; enough for any sensible name or quantity
-constexpr std::size_t kLongestList = 20;   // names; more than any type has keys
+constexpr std::size_t kLongestList = 20;  // names; more than any type has keys
 
 bool sameLetter(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -45,12 +44,12 @@ std::string anyOf(std::span<const std::string> words) {
     return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
-std::string quoted(std::string_view text) {
+std::string quoted(std::string_view text, std::size_t longest) {
     std::string result = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         const bool startsCharacter = (byte & 0xC0U) != 0x80U;  // of UTF-8
-        if (startsCharacter && result.size() > kLongestQuote) return result + "...\"";
+        if (startsCharacter && result.size() > longest) return result + "...\"";
         result += byte < 0x20U || byte == 0x7FU ? fmt::format("\\u{:04x}", byte) : std::string(1, c);
     }
     return result + '"';

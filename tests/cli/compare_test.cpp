@@ -8,7 +8,7 @@ namespace fringe::cli {
 namespace {
 
 constexpr std::uint32_t kWidth = 20, kHeight = 10;
-// Exact in every format, so that the numbers below are too.
+// Exact in a half, so that the numbers below are too: the film's rounding is far less than a half's.
 constexpr float kGrey = 0.5F, kStep = 0.25F;
 
 // a.exr is grey; b.exr differs from it in one pixel, at 7, 3, by 0.25 of green.
@@ -16,9 +16,13 @@ class Comparing : public testing::Test {
 protected:
     Comparing() {
         image::Image picture{kWidth, kHeight, {}};
-        picture.pixels.assign(std::size_t{kWidth} * kHeight, {kGrey, kGrey, kGrey, false});
+        picture.pixels.assign(std::size_t{kWidth} * kHeight, image::filmOf(glm::dvec3(kGrey)));
         image::writeImage(folder_ / "a.exr", picture, {});
-        picture.pixels[std::size_t{3} * kWidth + 7].g += kStep;
+        image::writeImage(folder_ / "dim.exr", picture,
+                          {.quantity = image::Quantity::luminance, .whiteLuminance = 64.0});
+        image::writeImage(folder_ / "bright.exr", picture,
+                          {.quantity = image::Quantity::luminance, .whiteLuminance = 96.0});
+        picture.pixels[std::size_t{3} * kWidth + 7] = image::filmOf({kGrey, kGrey + kStep, kGrey});
         image::writeImage(folder_ / "b.exr", picture, {});
         picture.pixels.resize(std::size_t{kWidth} * (kHeight - 1));
         picture.height = kHeight - 1;
@@ -71,9 +75,20 @@ TEST_F(Comparing, JsonHoldsTheSame) {
     EXPECT_FALSE(equal.isMember("psnr_db")) << "JSON has no infinity";
 }
 
+// Grey of 0.5 is 32 cd/m^2 in one and 48 in the other.
+TEST_F(Comparing, AQuantityIsComparedInItsOwnChannel) {
+    const Outcome outcome = compare({"dim.exr", "bright.exr"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(contains(outcome.out, "luminance max 1.600e+01  rmse 1.600e+01")) << outcome.out;
+    const Json::Value json = parsedJson(compare({"dim.exr", "bright.exr", "--json"}).out);
+    EXPECT_EQ(json["channels"].size(), 1U);
+    EXPECT_EQ(json["channels"]["luminance"]["max"], 16.0);
+}
+
 TEST_F(Comparing, WhatCannotBeComparedIsRefused) {
     expectRefused(compare({"a.exr", "low.exr"}), 1, {"20", "10", "9"});
     expectRefused(compare({"a.exr", "nosuch.exr"}), 1, {"nosuch.exr", "No such file or directory"});
+    expectRefused(compare({"a.exr", "dim.exr"}), 1, {"color", "luminance"});
     putBytes(folder_ / "text.png", "this is no picture");
     expectRefused(compare({"a.exr", "text.png"}), 1, {"text.png: "});
     const std::string whole = bytesOf(folder_ / "a.exr");

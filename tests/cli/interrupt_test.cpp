@@ -72,9 +72,9 @@ TEST_P(Interrupted, KeepPartialWritesWhatIsDone) {
     EXPECT_EQ(outcome.status, 130);
     EXPECT_TRUE(contains(outcome.err, "what was done is in a.png, a.exr")) << outcome.err;
     EXPECT_EQ(folder_.fileCount(), 2U);
-    const auto lit = [](const image::Pixel& p) { return p.r > 0.0F || p.g > 0.0F || p.b > 0.0F; };
+    const auto lit = [](const image::RgbPixel& p) { return p.r > 0.0F || p.g > 0.0F || p.b > 0.0F; };
     for (const char* name : {"a.png", "a.exr"}) {
-        const image::Image picture = image::readImage(folder_ / name);
+        const image::Picture picture = image::readImage(folder_ / name);
         ASSERT_EQ(picture.width, GetParam().width);
         ASSERT_EQ(picture.height, GetParam().height);
         EXPECT_TRUE(std::all_of(picture.pixels.begin(), picture.pixels.begin() + picture.width, lit)) << name;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <regex>
 
 #include "cli/support.hpp"
@@ -29,10 +31,10 @@ int pngBits(const std::filesystem::path& path) {
 
 // True if all values have no more digits than a half: 10 of the 23 bits of the fraction. Smaller ones than
 // 2^-14 have fewer still.
-bool fitsHalf(const image::Image& picture) {
+bool fitsHalf(const image::Picture& picture) {
     const auto fits = [](float value) { return (std::bit_cast<std::uint32_t>(value) & 0x1FFFU) == 0; };
     return std::all_of(picture.pixels.begin(), picture.pixels.end(),
-                       [&](const image::Pixel& p) { return fits(p.r) && fits(p.g) && fits(p.b); });
+                       [&](const image::RgbPixel& p) { return fits(p.r) && fits(p.g) && fits(p.b); });
 }
 
 std::string valueOf(const image::Metadata& metadata, const std::string& key) {
@@ -50,7 +52,7 @@ TEST_F(OutputOnDevice, OneRunWritesBothFormats) {
     expectDone(outcome);
     EXPECT_EQ(folder_.fileCount(), 2U);
     for (const char* name : {"a.png", "a.exr"}) {
-        const image::Image picture = image::readImage(folder_ / name);
+        const image::Picture picture = image::readImage(folder_ / name);
         EXPECT_EQ(picture.width, 40U);
         EXPECT_EQ(picture.height, 30U);
     }
@@ -102,6 +104,99 @@ TEST_F(OutputOnDevice, MetadataSaysHowToMakeThePictureAgain) {
         EXPECT_EQ(valueOf(metadata, "fringe options"),
                   "40x30, 1 samples, seed 7, max_depth 8, exposure 0, --set image.width=40, "
                   "--set image.height=30, --set image.seed=7");
+    }
+}
+
+// ---- colour, exposure, quantity -------------------------------------------------------------------
+
+bool samePixels(const image::Picture& a, const image::Picture& b) {
+    return std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), b.pixels.end(),
+                      [](const auto& p, const auto& q) { return p.r == q.r && p.g == q.g && p.b == q.b; });
+}
+
+TEST_F(Output, AutomaticExposureIsStatedAndGivesTheSamePictureByItsNumber) {
+    const Outcome outcome = render({"--exposure", "auto", "-o", "auto.png", "-o", "auto.exr", "--json"});
+    expectDone(outcome);
+    const Json::Value json = parsedJson(outcome.out);
+    EXPECT_EQ(json["auto_exposure"], true);
+    const std::string text = valueOf(image::readMetadata(folder_ / "auto.png"), "fringe options");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(exposure (\S+) \(automatic\))"))) << text;
+    const std::string stops = found[1];
+    EXPECT_NE(std::stod(stops), 0.0);
+    EXPECT_NEAR(json["exposure"].asDouble(), std::stod(stops), 1e-9);
+
+    expectDone(render({"--exposure", stops, "-o", "given.png", "-o", "given.exr"}));
+    for (const char* extension : {".png", ".exr"})
+        EXPECT_TRUE(samePixels(image::readImage(folder_ / (std::string("auto") + extension)),
+                               image::readImage(folder_ / (std::string("given") + extension))));
+    EXPECT_EQ(folder_.fileCount(), 4U);
+}
+
+TEST_F(Output, CompensationIsAddedToTheAutomaticExposure) {
+    const auto exposure = [&](const Arguments& arguments) {
+        return parsedJson(render(Arguments{"--json"} + arguments).out)["exposure"].asDouble();
+    };
+    const double found = exposure({"--exposure", "auto"});
+    EXPECT_NEAR(exposure({"--exposure", "auto+1.5"}), found + 1.5, 1e-9);
+    EXPECT_NEAR(exposure({"--set", "image.exposure=3", "--exposure", "auto-1"}), found - 1.0, 1e-9)
+        << "the command line's in place of the scene's";
+}
+
+TEST_F(Output, TheSummaryStatesAnAutomaticExposure) {
+    EXPECT_TRUE(std::regex_search(render({"--exposure", "auto"}).out,
+                                  std::regex(R"(, exposure [+-]\d+\.\d\d \(automatic\), )")));
+    EXPECT_FALSE(contains(render({}).out, "exposure"));
+}
+
+TEST_F(Output, AnExposureThatIsNoneIsRefused) {
+    for (const char* wrong : {"bright", "auto1", "auto++1", "65", "nan", "1stop"})
+        expectRefused(render({"--exposure", wrong}), 1,
+                      {std::string("--exposure ") + wrong + ": ", "auto-1.5"});
+}
+
+// The reader obeys the profile: the colours are the same, since none of the room's is outside sRGB by much.
+TEST_F(Output, AWideColorSpaceKeepsTheColors) {
+    expectDone(render({"-o", "a.png", "--png-bits", "16"}));
+    expectDone(render({"-o", "p3.png", "--png-bits", "16", "--color-space", "display-p3"}));
+    const std::string bytes = bytesOf(folder_ / "p3.png");
+    EXPECT_TRUE(contains(bytes, "Display P3"));
+    EXPECT_TRUE(contains(valueOf(image::readMetadata(folder_ / "p3.png"), "fringe options"),
+                         ", color space display-p3"));
+    EXPECT_EQ(run({"compare", "a.png", "p3.png", "--tolerance", "0.002", "--allow", "0.02"},
+                  {.folder = folder_.path()})
+                  .status,
+              0);
+}
+
+TEST_F(Output, LuminanceIsWrittenAsExr) {
+    expectDone(render({"--quantity", "luminance"}));
+    const image::Picture luminance = image::readImage(folder_ / "room.exr");
+    EXPECT_EQ(luminance.quantity, image::Quantity::luminance);
+    EXPECT_EQ(valueOf(image::readMetadata(folder_ / "room.exr"), "unit"), "cd/m^2");
+    EXPECT_FALSE(fitsHalf(luminance)) << "a measurement has all digits unless told otherwise";
+
+    // D65 has 205 lm/W in the visible range. The Y of a colour is a float, as is the product.
+    expectDone(render({"-o", "xyz.exr", "--exr-color", "xyz", "--exr-type", "float"}));
+    const image::Picture color = image::readImage(folder_ / "xyz.exr");
+    const auto weights = glm::transpose(image::xyzFromLinear(image::ColorSpace::srgb))[1];
+    for (std::size_t i = 0; i < color.pixels.size(); ++i) {
+        const image::RgbPixel& p = color.pixels[i];
+        const double y = glm::dot(weights, glm::dvec3(p.r, p.g, p.b));
+        EXPECT_NEAR(luminance.pixels[i].r / 205.15, y, 1e-3 * y + 1e-6) << i;
+    }
+}
+
+TEST_F(Output, AQuantityIsNoPngAndTheReferenceHasTwo) {
+    expectRefused(render({"--quantity", "luminance", "-o", "a.png"}), 1, {"a.png: ", "luminance", ".exr"});
+    expectRefused(render({"--quantity", "radiance"}), 1, {"--quantity radiance", "color and luminance"});
+    EXPECT_EQ(folder_.fileCount(), 0U);
+}
+
+TEST_F(OutputOnDevice, EveryQuantityHasItsChannel) {
+    for (const char* quantity : {"color", "luminance", "radiance", "irradiance"}) {
+        expectDone(runHere(smallRender() + Arguments{"--quantity", quantity, "-o", "a.exr"}));
+        EXPECT_STREQ(image::nameOf(image::readImage(folder_ / "a.exr").quantity), quantity);
     }
 }
 

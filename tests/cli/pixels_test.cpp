@@ -12,7 +12,7 @@ namespace {
 // makes several.
 class PixelsOnDevice : public testing::Test {
 protected:
-    image::Image render(int samples, const Arguments& arguments = {}) {
+    image::Picture render(int samples, const Arguments& arguments = {}) {
         const std::string path = (folder_ / "a.exr").string();
         expectDone(run(Arguments{"render", roomFile(), "-o", path, "--exr-type", "float", "--set",
                                  "image.samples=" + std::to_string(samples)} +
@@ -25,7 +25,7 @@ private:
 };
 
 // Pixels that are not the same to the last bit.
-std::size_t different(const image::Image& a, const image::Image& b) {
+std::size_t different(const image::Picture& a, const image::Picture& b) {
     if (a.width != b.width || a.height != b.height) return std::max(a.pixels.size(), b.pixels.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, SamePixelsOnDevice, testing::Values(1, 5),
                          testing::PrintToStringParamName());
 
 TEST_P(SamePixelsOnDevice, FromRunToRunAndForAnyTile) {
-    const image::Image first = render(GetParam());
+    const image::Picture first = render(GetParam());
     EXPECT_EQ(different(first, render(GetParam())), 0U);
     for (const char* tile : {"16", "64", "1000"}) {
         EXPECT_EQ(different(first, render(GetParam(), {"--tile", tile})), 0U) << "tile " << tile;

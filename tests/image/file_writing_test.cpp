@@ -74,7 +74,7 @@ TEST_P(Writing, WritersOfOneNameDoNotMeet) {
 TEST_P(Writing, BandsGiveTheBytesOfTheWhole) {
     const Image image = testPicture(61, 100);
     const OutputOptions options = {
-        .exposure = 0.25, .nonFiniteChannel = true, .metadata = {{"Software", "Fringe"}}};
+        .development = {.exposure = 0.25}, .nonFiniteChannel = true, .metadata = {{"Software", "Fringe"}}};
     writeImage(target(), image, options);
     const std::string whole = bytesOf(target());
     for (const std::size_t rows : {1U, 7U, 16U, 40U}) {

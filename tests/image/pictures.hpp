@@ -11,6 +11,7 @@
 #include <iterator>
 #include <string>
 
+#include "image/color_space.hpp"
 #include "image/image.hpp"
 
 namespace fringe::image {
@@ -48,17 +49,35 @@ inline void putBytes(const std::filesystem::path& path, const std::string& bytes
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
-// Values from far below the first code to a little beyond white, with no two rows alike.
-inline Image testPicture(std::uint32_t width, std::uint32_t height) {
-    Image image{width, height, {}};
+// A pixel of the film from linear sRGB, in double precision and then rounded.
+inline Pixel filmOf(const glm::dvec3& rgb) {
+    static const glm::dmat3 xyzFromRgb = xyzFromLinear(ColorSpace::srgb);
+    const glm::vec3 xyz = xyzFromRgb * rgb;
+    return {xyz.x, xyz.y, xyz.z, false};
+}
+
+inline Image filmOf(const Picture& picture) {
+    Image image{picture.width, picture.height, {}};
+    for (const RgbPixel& p : picture.pixels) image.pixels.push_back(filmOf(glm::dvec3(p.r, p.g, p.b)));
+    return image;
+}
+
+// In linear sRGB: values from far below the first code to white, with no two rows alike.
+inline Picture testColors(std::uint32_t width, std::uint32_t height) {
+    Picture picture{width, height, Quantity::color, {}};
     for (std::uint32_t y = 0; y < height; ++y)
         for (std::uint32_t x = 0; x < width; ++x) {
             const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(width);
             const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(height);
-            image.pixels.push_back(
-                {1.2F * u, std::exp2(-16.0F * v), 0.5F + 0.5F * std::sin(40.0F * u * v), false});
+            picture.pixels.push_back(
+                {u, std::exp2(-16.0F * v), 0.5F + 0.5F * std::sin(40.0F * u * v), false});
         }
-    return image;
+    return picture;
+}
+
+// The same on the film.
+inline Image testPicture(std::uint32_t width, std::uint32_t height) {
+    return filmOf(testColors(width, height));
 }
 
 }  // namespace fringe::image

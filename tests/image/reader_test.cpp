@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "image/develop.hpp"
+#include "image/color_space.hpp"
 #include "image/pictures.hpp"
 #include "image/writer.hpp"
 
@@ -59,7 +59,7 @@ void writeForeign(const std::filesystem::path& path, const ForeignPng& picture) 
 TEST(ReadPng, GrayOfOneBit) {
     const TestFolder folder;
     writeForeign(folder / "a.png", {PNG_COLOR_TYPE_GRAY, 1, PNG_INTERLACE_NONE, 3, {{0b0100'0000}}});
-    const Image image = readImage(folder / "a.png");
+    const Picture image = readImage(folder / "a.png");
     ASSERT_EQ(image.pixels.size(), 3U);
     EXPECT_EQ(image.pixels[0].g, 0.0F);
     EXPECT_EQ(image.pixels[1].g, 1.0F);
@@ -69,7 +69,7 @@ TEST(ReadPng, GrayOfOneBit) {
 TEST(ReadPng, Palette) {
     const TestFolder folder;
     writeForeign(folder / "a.png", {PNG_COLOR_TYPE_PALETTE, 8, PNG_INTERLACE_NONE, 2, {{1, 0}}});
-    const Image image = readImage(folder / "a.png");
+    const Picture image = readImage(folder / "a.png");
     EXPECT_EQ(image.pixels[0].r, 1.0F);
     EXPECT_EQ(image.pixels[0].g, static_cast<float>(decodeSrgb(128.0 / 255.0)));
     EXPECT_EQ(image.pixels[1].r, 0.0F);
@@ -78,7 +78,7 @@ TEST(ReadPng, Palette) {
 TEST(ReadPng, AlphaIsIgnored) {
     const TestFolder folder;
     writeForeign(folder / "a.png", {PNG_COLOR_TYPE_RGB_ALPHA, 8, PNG_INTERLACE_NONE, 1, {{255, 128, 0, 7}}});
-    const Image image = readImage(folder / "a.png");
+    const Picture image = readImage(folder / "a.png");
     EXPECT_EQ(image.pixels[0].r, 1.0F);
     EXPECT_EQ(image.pixels[0].g, static_cast<float>(decodeSrgb(128.0 / 255.0)));
     EXPECT_EQ(image.pixels[0].b, 0.0F);
@@ -117,7 +117,7 @@ void writeForeign(const std::filesystem::path& path, const std::vector<std::stri
 TEST(ReadExr, AWindowAwayFromTheOriginAndMoreChannels) {
     const TestFolder folder;
     writeForeign(folder / "a.exr", {"A", "B", "G", "R", "Z"}, 1);
-    const Image image = readImage(folder / "a.exr");
+    const Picture image = readImage(folder / "a.exr");
     ASSERT_EQ(image.width, 2U);
     ASSERT_EQ(image.height, 4U);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -130,7 +130,12 @@ TEST(ReadExr, OtherLayoutsAreRefused) {
     const TestFolder folder;
     const auto path = folder / "a.exr";
     writeForeign(path, {"Y"}, 1);
-    EXPECT_EQ(messageOf(path), path.string() + ": has no channel R; it needs R, G and B");
+    EXPECT_EQ(messageOf(path),
+              path.string() +
+                  ": has none of the channels that are read: R, G and B; X, Y and Z; luminance, "
+                  "radiance or irradiance");
+    writeForeign(path, {"R", "B"}, 1);
+    EXPECT_EQ(messageOf(path), path.string() + ": has no channel G beside the others");
     writeForeign(path, {"R", "G", "B"}, 2);
     EXPECT_EQ(messageOf(path), path.string() + ": has channel R at less than full resolution");
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -28,7 +29,7 @@ std::vector<Pixel> rendered(const scene::Scene& scene, unsigned threads) {
 }
 
 bool same(const Pixel& a, const Pixel& b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b && a.nonFinite == b.nonFinite;
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.nonFinite == b.nonFinite;
 }
 
 bool same(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
@@ -41,7 +42,7 @@ scene::Scene busyScene() {
     scene::Scene scene = emptyScene(24);
     scene.image.samples = 6;
     scene.camera.projection = scene::Perspective{60.0 * deg, scene::ThinLens{50.0 * mm, 2.0 * m}};
-    addObject(scene, scene::Plane{{0.0, -1.0, 0.0}, kY}, scene::Diffuse{Rgb(0.7)});
+    addObject(scene, scene::Plane{{0.0, -1.0, 0.0}, kY}, grey(0.7));
     addObject(scene, scene::Sphere{{0.4, 0.0, 0.0}, 0.6}, scene::Dielectric{1.5});
     addLight(scene, scene::AreaLight{scene::Sphere{{-0.5, 1.0, 0.0}, 0.3}, 30.0 * W, false});
     addLight(scene, scene::EnvironmentLight{0.2 * W_per_m2_sr});
@@ -72,8 +73,8 @@ TEST(Reference, TheSeedChangesTheNoiseAlone) {
     double difference = 0.0;
     double squares = 0.0;
     for (std::size_t i = 0; i < one.size(); ++i) {
-        difference += one[i].g - two[i].g;
-        squares += std::pow(one[i].g - two[i].g, 2);
+        difference += one[i].y - two[i].y;
+        squares += std::pow(one[i].y - two[i].y, 2);
     }
     // The pixels' differences are independent: 4.5 standard errors of their sum.
     EXPECT_LT(std::abs(difference), 4.5 * std::sqrt(squares));
@@ -81,7 +82,7 @@ TEST(Reference, TheSeedChangesTheNoiseAlone) {
 
 TEST(Reference, GratingOnAWallIsTheFormulaTimesColourAndPower) {
     scene::Scene scene = emptyScene(41);
-    addObject(scene, squareFacingZ(0.0, 10.0), scene::Diffuse{Rgb(0.75)});
+    addObject(scene, squareFacingZ(0.0, 10.0), grey(0.75));
     scene::ThesisGrating grating = gratingAt(kZ, -kZ, kY);
     grating.power = 3.0 * W;
     addLight(scene, grating, {1.0, 0.5, 0.25});
@@ -93,21 +94,37 @@ TEST(Reference, GratingOnAWallIsTheFormulaTimesColourAndPower) {
                               0.0);
             const Rgb expected = 3.0 * Rgb(1.0, 0.5, 0.25) * gratingValue(grating, point);
             const Pixel& pixel = picture[y * 41 + x];
-            // Pixels are single precision, up to 3.
-            EXPECT_LT(glm::length(Rgb(pixel.r, pixel.g, pixel.b) - expected), 1e-6) << x << ' ' << y;
+            // Pixels are single precision, up to 3, and the matrix has elements of up to 3.2.
+            EXPECT_LT(glm::length(rgbOf(Xyz(pixel.x, pixel.y, pixel.z)) - expected), 3e-6) << x << ' ' << y;
         }
     }
 }
 
 TEST(Reference, OnePixelIsNotANumberAsPrinted) {
     scene::Scene scene = emptyScene(5);
-    addObject(scene, squareFacingZ(0.0, 10.0), scene::Diffuse{Rgb(0.75)});
+    addObject(scene, squareFacingZ(0.0, 10.0), grey(0.75));
     addLight(scene, gratingAt(kZ, -kZ, kY, scene::Faults::asPrinted));
     addLight(scene, scene::EnvironmentLight{1.0 * W_per_m2_sr});
     const std::vector<Pixel> picture = rendered(scene, 1);
     EXPECT_TRUE(same(picture[2 * 5 + 2], Pixel{0.0F, 0.0F, 0.0F, true}));
     EXPECT_FALSE(picture[2 * 5 + 1].nonFinite);
-    EXPECT_GT(picture[2 * 5 + 1].g, 0.0F);
+    EXPECT_GT(picture[2 * 5 + 1].y, 0.0F);
+}
+
+// A film of radiance or irradiance counts watts, whatever their colour.
+TEST(Reference, FilmsOfWatts) {
+    scene::Scene scene = emptyScene(5);
+    addObject(scene, squareFacingZ(0.0, 10.0), scene::Diffuse{{{380.0, 0.0}, {780.0, 1.0}}});
+    addLight(scene, scene::DirectionalLight{-kZ, 3.0 * W_per_m2});
+    scene.lights[0].spectrum = {{}, {{480.0 * nm, 1.0, 0.0 * nm}}};
+    const auto middle = [&](image::Quantity quantity) {
+        std::vector<Pixel> pixels(25);
+        EXPECT_TRUE(Reference(scene, quantity).render(0, 5, pixels, 1, kNever));
+        return pixels[12].y;
+    };
+    EXPECT_NEAR(middle(image::Quantity::radiance), 0.25 * 3.0 / std::numbers::pi, 1e-7);
+    EXPECT_NEAR(middle(image::Quantity::irradiance), 3.0, 1e-6);
+    EXPECT_NEAR(middle(image::Quantity::color), 0.25 * 3.0 / std::numbers::pi * filmResponse(480.0).y, 1e-7);
 }
 
 TEST(Reference, StopsWhenAskedTo) {

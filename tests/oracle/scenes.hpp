@@ -15,7 +15,7 @@ inline scene::Scene emptyScene(std::uint32_t side = 5) {
     scene.image.width = side;
     scene.image.height = side;
     scene.camera = {
-        {0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, scene::Perspective{90.0 * units::deg, {}}};
+        {0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, scene::Perspective{90.0 * units::deg, {}}, {}};
     return scene;
 }
 
@@ -25,9 +25,19 @@ void addObject(scene::Scene& scene, const scene::Shape& shape, const Model& mode
     scene.objects.push_back({"", shape, static_cast<std::uint32_t>(scene.materials.size() - 1)});
 }
 
+// D65 is white light: on grey surfaces every channel of its sRGB is the radiance. `color` is what models of
+// the thesis use of a light.
 template <class Model>
 void addLight(scene::Scene& scene, const Model& model, const scene::Rgb& color = scene::Rgb(1.0)) {
-    scene.lights.push_back({"", color, model});
+    scene.lights.push_back({"", color, d65(), model});
+}
+
+inline scene::Diffuse grey(double reflectance) {
+    return {{{kFirst_nm, reflectance}, {kLast_nm, reflectance}}};
+}
+
+inline scene::Rgb rgbOf(const Xyz& xyz) {
+    return glm::inverse(xyzFromRgb()) * xyz;
 }
 
 // A square in a plane z = const, seen from +z; `half` its half side.
@@ -36,7 +46,7 @@ inline scene::Rectangle squareFacingZ(double z, double half) {
 }
 
 inline scene::Emissive glowing(double radiance, bool twoSided = false) {
-    return {radiance * units::W_per_m2_sr, scene::Rgb(1.0), twoSided};
+    return {radiance * units::W_per_m2_sr, d65(), twoSided};
 }
 
 inline scene::ThesisGrating gratingAt(const dvec3& position, const dvec3& normal, const dvec3& slitDirection,

@@ -29,19 +29,19 @@ TEST(ShadowCasters, WhatStandsInTheRoomIsOne) {
 
 TEST(ShadowCasters, AWallWithALampBehindItIsOne) {
     scene::Scene scene = room();
-    scene.lights.push_back({"", {1, 1, 1}, scene::PointLight{{0, 0, -2}, 1.0 * units::W}});
+    scene.lights.push_back({"", {1, 1, 1}, {}, scene::PointLight{{0, 0, -2}, 1.0 * units::W}});
     EXPECT_EQ(shadowCasters(scene), (std::vector<bool>{true, false, false, false, false}));
 }
 
 TEST(ShadowCasters, ASkyMakesAllWallsCasters) {
     scene::Scene scene = room();
-    scene.lights.push_back({"", {1, 1, 1}, scene::EnvironmentLight{1.0 * units::W_per_m2_sr}});
+    scene.lights.push_back({"", {1, 1, 1}, {}, scene::EnvironmentLight{1.0 * units::W_per_m2_sr}});
     EXPECT_EQ(shadowCasters(scene), std::vector<bool>(5, true));
 }
 
 TEST(ShadowCasters, ASunFromAboveNeedsTheCeilingAlone) {
     scene::Scene scene = room();
-    scene.lights.push_back({"", {1, 1, 1}, scene::DirectionalLight{{0, -1, 0}, 1.0 * units::W_per_m2}});
+    scene.lights.push_back({"", {1, 1, 1}, {}, scene::DirectionalLight{{0, -1, 0}, 1.0 * units::W_per_m2}});
     EXPECT_EQ(shadowCasters(scene), (std::vector<bool>{false, false, true, false, false}));
 }
 

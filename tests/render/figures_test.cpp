@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optics/color.hpp"
 #include "render/rendering.hpp"
 
 namespace fringe::testing {
@@ -15,8 +16,10 @@ constexpr double kPeriod = 2e-6;
 constexpr double kBandRadius = 0.1;  // half the beam
 constexpr std::array kWavelengths{450e-9, 550e-9, 700e-9};
 
+// Linear sRGB, in which the thesis's values are stated.
 double channel(const image::Pixel& pixel, int c) {
-    return c == 0 ? pixel.r : c == 1 ? pixel.g : pixel.b;
+    static const glm::dmat3 toLinearSrgb = optics::linearSrgbFromXyz();
+    return (toLinearSrgb * glm::dvec3(pixel.x, pixel.y, pixel.z))[c];
 }
 
 scene::Scene withoutGratings(scene::Scene scene) {
@@ -34,9 +37,9 @@ public:
         pattern_ = renderOnDevice(scene);
         const image::Image dark = renderOnDevice(withoutGratings(scene));
         for (std::size_t i = 0; i < pattern_.pixels.size(); ++i) {
-            pattern_.pixels[i].r -= dark.pixels[i].r;
-            pattern_.pixels[i].g -= dark.pixels[i].g;
-            pattern_.pixels[i].b -= dark.pixels[i].b;
+            pattern_.pixels[i].x -= dark.pixels[i].x;
+            pattern_.pixels[i].y -= dark.pixels[i].y;
+            pattern_.pixels[i].z -= dark.pixels[i].z;
         }
         const double fov = std::get<scene::Perspective>(scene.camera.projection).fov.si;
         metresPerPixel_ = 2.0 * std::tan(0.5 * fov) * (scene.camera.position.z + 1.0) / scene.image.height;

@@ -107,7 +107,8 @@ TEST(OnDevice, ManyOfAKindAgreeWithTheReference) {
         std::get<scene::ThesisGrating>(grating.model).position = {x, -0.3 + 0.01 * i, 0.5};
         std::get<scene::ThesisGrating>(grating.model).power = 0.05 * units::W;
         scene.lights.push_back(grating);
-        scene.lights.push_back({"", {1, 1, 1}, scene::PointLight{{x, 0.5, 0.5}, 0.1 * units::W}});
+        scene.lights.push_back(
+            {"", {1, 1, 1}, model.spectrum, scene::PointLight{{x, 0.5, 0.5}, 0.1 * units::W}});
     }
     const Deviation d = deviation(scene, 1e-3, 0.0);
     EXPECT_LE(d.beyond, 2e-3);  // silhouettes of 80 small shapes and their shadows in 200 x 200 pixels

@@ -60,7 +60,7 @@ image::Image renderReference(const scene::Scene& scene) {
 }
 
 double distance(const image::Pixel& a, const image::Pixel& b) {
-    return std::max({std::abs(double{a.r} - b.r), std::abs(double{a.g} - b.g), std::abs(double{a.b} - b.b)});
+    return std::max({std::abs(double{a.x} - b.x), std::abs(double{a.y} - b.y), std::abs(double{a.z} - b.z)});
 }
 
 }  // namespace fringe::testing

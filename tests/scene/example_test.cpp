@@ -1,8 +1,10 @@
 // The example of docs/scene-format.md: it works, and however it is damaged the reader neither crashes nor
-// throws anything but SceneError. Plus the time that a large scene takes.
+// throws anything but SceneError. The scenes that come with Fringe work too. Plus the time that a large scene
+// takes.
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -41,6 +43,19 @@ TEST(SceneExample, IsAScene) {
     EXPECT_EQ(scene.objects.size(), 2U);
     EXPECT_EQ(scene.lights.size(), 2U);
     EXPECT_EQ(scene.materials.size(), 2U);
+}
+
+TEST(SceneExample, EveryShippedSceneIsSound) {
+    std::size_t scenes = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(FRINGE_SOURCE_DIR "/scenes")) {
+        const std::filesystem::path& path = entry.path();
+        if (path.extension() != ".json" || path.filename() == "fringe.schema.json") continue;
+        std::ostringstream text;
+        text << std::ifstream(path, std::ios::binary).rdbuf();
+        EXPECT_NO_THROW(parseScene(text.str(), path.string())) << path;
+        ++scenes;
+    }
+    EXPECT_GT(scenes, 0U);
 }
 
 TEST(SceneExample, EveryTruncationIsAProblem) {

@@ -1,6 +1,7 @@
 // --set: values, paths, and the place of the problems that they cause.
 #include <gtest/gtest.h>
 
+#include "optics/color.hpp"
 #include "scene/support.hpp"
 
 namespace fringe::scene {
@@ -64,8 +65,8 @@ TEST(SceneOverride, ArraysObjectsAndNewMaterials) {
     const auto reflectance = [&](std::size_t object) {
         return std::get<Diffuse>(scene.materials.at(scene.objects.at(object).material).model).reflectance;
     };
-    EXPECT_EQ(reflectance(0), Rgb(0.25));
-    EXPECT_EQ(reflectance(1), Rgb(1, 0, 0));
+    EXPECT_EQ(reflectance(0), optics::constantCurve(0.25));
+    EXPECT_EQ(reflectance(1), optics::reflectanceCurve({1, 0, 0}));
 }
 
 TEST(SceneOverride, TheLastOneWins) {

@@ -45,7 +45,7 @@ TEST(SceneProblems, UnknownKeyUnlikeAnyListsThemAll) {
     EXPECT_EQ(
         problemsOf(R"({"fringe": 1, "camera": {"position": [0, 0, 3], "target": [0, 0, 0]},
   /* not a "key": */ "image": { "resolution": /* nor : this */ 600 }})"),
-        R"(s:2:33: unknown key "resolution"; an image may have "width", "height", "samples", "seed", "max_depth" or "exposure")");
+        R"(s:2:33: unknown key "resolution"; an image may have "width", "height", "samples", "seed", "max_depth", "exposure" or "color_space")");
 }
 
 TEST(SceneProblems, MissingKeysAreNamed) {
@@ -94,7 +94,7 @@ TEST(SceneProblems, UnknownChoiceNamesTheNearestOrAll) {
     EXPECT_EQ(problemsOfMaterial(R"({"type": "optical-disc", "model": "thesis", "faults": "as printed"})"),
               R"(s:3:75: "faults" is "as printed"; did you mean "as-printed"?)");
     EXPECT_EQ(problemsOfMaterial(R"({"type": "optical-disc", "model": "physical"})"),
-              R"(s:3:55: "model" is "physical"; write "thesis")");
+              R"(s:3:21: missing key "medium"; add "cd", "dvd", "blu-ray", "vinyl" or "custom")");
 }
 
 TEST(SceneProblems, OtherVersionIsRefused) {
@@ -123,7 +123,7 @@ TEST(SceneProblems, WrongJsonTypeSaysWhatToWrite) {
         "s:5:91: \"capped\" is 1; write true or false");
     EXPECT_EQ(
         problemsOfMaterial(R"({"type": "diffuse", "reflectance": "white"})"),
-        R"(s:3:56: "reflectance" is "white"; write a number from 0 to 1, or a colour [r, g, b] of such numbers)");
+        R"(s:3:56: "reflectance" is "white"; write a number from 0 to 1, a colour [r, g, b] of such numbers, or a curve)");
 }
 
 TEST(SceneProblems, VectorOfWrongLength) {

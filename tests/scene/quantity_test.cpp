@@ -27,6 +27,7 @@ TEST(Quantity, EveryUnitHasItsSiValue) {
     EXPECT_EQ(unitInSi("W/m^2", Dimension::irradiance), 1.0);
     EXPECT_EQ(unitInSi("mW/cm^2", Dimension::irradiance), 10.0);
     EXPECT_EQ(unitInSi("W/m^2/sr", Dimension::radiance), 1.0);
+    EXPECT_EQ(unitInSi("K", Dimension::temperature), 1.0);
 }
 
 TEST(Quantity, BothMicroSignsAreTheLetterU) {
@@ -66,21 +67,33 @@ TEST(Quantity, PatternsOfTheSchemaAgreeWithTheParser) {
     const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder{}.newCharReader());
     ASSERT_TRUE(
         reader->parse(schemaText().data(), schemaText().data() + schemaText().size(), &schema, nullptr));
-    for (const Dimension dimension : {Dimension::length, Dimension::angle, Dimension::power,
-                                      Dimension::irradiance, Dimension::radiance}) {
-        const std::regex pattern(schema["$defs"][std::string(nameOf(dimension))]["pattern"].asString());
-        for (const std::string number :
-             {"1", "1.5", "1.", ".5", "1e3", "1E-3", "1.5e+3", " 1", "", ".", "e3", "1e", "inf"}) {
+    struct Definition {
+        std::string name;
+        Dimension dimension;
+        bool mayBeNegative;
+    };
+    for (const auto& [name, dimension, mayBeNegative] : std::vector<Definition>{
+             {"any_length", Dimension::length, false},
+             {"offset", Dimension::length, true},
+             {"angle", Dimension::angle, false},
+             {"power", Dimension::power, false},
+             {"irradiance", Dimension::irradiance, false},
+             {"radiance", Dimension::radiance, false},
+             {"temperature", Dimension::temperature, false},
+         }) {
+        const std::regex pattern(schema["$defs"][name]["pattern"].asString());
+        for (const std::string number : {"1", "1.5", "1.", ".5", "1e3", "1E-3", "1.5e+3", " 1", "", ".", "e3",
+                                         "1e", "inf", "-1", "-.5", "- 1", "-", "--1", "+1"}) {
+            if (number.starts_with('-') && !mayBeNegative) continue;  // is parsed, and refused by the range
             for (const std::string unit :
-                 {"m",   "cm",  "mm",    "um",      "nm",       "\u00b5m", "\u03bcm", "km",
-                  "deg", "rad", "mrad",  "W",       "mW",       "uW",      "\u00b5W", "\u03bcW",
-                  "kW",  "MW",  "W/m^2", "mW/cm^2", "W/m^2/sr", "W/m",     "",        "e"}) {
+                 {"m",   "cm",    "mm",      "um",       "nm",  "\u00b5m", "\u03bcm", "km",      "K",
+                  "deg", "rad",   "mrad",    "W",        "mW",  "uW",      "\u00b5W", "\u03bcW", "kW",
+                  "MW",  "W/m^2", "mW/cm^2", "W/m^2/sr", "W/m", "",        "e"}) {
                 for (const std::string gap : {"", " ", "  ", "\t"}) {
                     const std::string text = number + gap + unit;
                     const std::optional<QuantityText> parts = splitQuantity(text);
                     const bool parsed = parts && unitInSi(parts->unit, dimension);
-                    EXPECT_EQ(std::regex_match(text, pattern), parsed)
-                        << nameOf(dimension) << ": '" << text << "'";
+                    EXPECT_EQ(std::regex_match(text, pattern), parsed) << name << ": '" << text << "'";
                 }
             }
         }

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "optics/color.hpp"
+#include "optics/sources.hpp"
 #include "scene/support.hpp"
 
 namespace fringe::scene {
@@ -36,6 +38,9 @@ TEST(SceneValues, SmallestSceneTakesEveryDefault) {
     EXPECT_EQ(scene.image.seed, 0U);
     EXPECT_EQ(scene.image.maxDepth, 8U);
     EXPECT_EQ(scene.image.exposure, 0.0);
+    EXPECT_FALSE(scene.image.autoExposure);
+    EXPECT_EQ(scene.image.colorSpace, ColorSpace::srgb);
+    EXPECT_FALSE(scene.camera.whiteBalance);
     EXPECT_EQ(scene.camera.up, dvec3(0, 1, 0));
     const auto& perspective = std::get<Perspective>(scene.camera.projection);
     EXPECT_EQ(perspective.fov, 40.0 * deg);
@@ -85,10 +90,11 @@ TEST(SceneValues, OrthographicCamera) {
 // ---- materials -----------------------------------------------------------------------------------
 
 TEST(SceneValues, Diffuse) {
-    EXPECT_EQ(materialOf<Diffuse>(R"({"type": "diffuse"})").reflectance, Rgb(0.75));
-    EXPECT_EQ(materialOf<Diffuse>(R"({"type": "diffuse", "reflectance": 0.5})").reflectance, Rgb(0.5));
+    EXPECT_EQ(materialOf<Diffuse>(R"({"type": "diffuse"})").reflectance, optics::constantCurve(0.75));
+    EXPECT_EQ(materialOf<Diffuse>(R"({"type": "diffuse", "reflectance": 0.5})").reflectance,
+              optics::constantCurve(0.5));
     EXPECT_EQ(materialOf<Diffuse>(R"({"type": "diffuse", "reflectance": [1, 0, 0.25]})").reflectance,
-              Rgb(1, 0, 0.25));
+              optics::reflectanceCurve({1, 0, 0.25}));
 }
 
 TEST(SceneValues, ConductorOfEveryMetal) {
@@ -107,28 +113,13 @@ TEST(SceneValues, Dielectric) {
 TEST(SceneValues, Emissive) {
     const auto plain = materialOf<Emissive>(R"({"type": "emissive", "radiance": "10 W/m^2/sr"})");
     EXPECT_EQ(plain.radiance.si, 10.0);
-    EXPECT_EQ(plain.color, Rgb(1));
+    EXPECT_EQ(plain.spectrum.density, optics::namedSpectrum("D65")->density);
     EXPECT_FALSE(plain.twoSided);
     const auto full = materialOf<Emissive>(
         R"({"type": "emissive", "radiance": "1 W/m^2/sr", "color": [1, 0.5, 0], "two_sided": true})");
-    EXPECT_EQ(full.color, Rgb(1, 0.5, 0));
+    const optics::Spectrum d65 = *optics::namedSpectrum("D65");
+    EXPECT_EQ(full.spectrum.density, optics::filtered(d65, optics::reflectanceCurve({1, 0.5, 0})).density);
     EXPECT_TRUE(full.twoSided);
-}
-
-TEST(SceneValues, OpticalDisc) {
-    const auto plain = materialOf<ThesisDisc>(R"({"type": "optical-disc", "model": "thesis"})");
-    EXPECT_EQ(plain.slits.count, 4U);
-    EXPECT_EQ(plain.slits.width, 6.0 * um);
-    EXPECT_EQ(plain.slits.period, 8.3 * um);
-    EXPECT_EQ(plain.mirrorReflectance, 0.6);
-    EXPECT_EQ(plain.faults, Faults::limit);
-    const auto full = materialOf<ThesisDisc>(R"({"type": "optical-disc", "model": "thesis",
-        "slits": {"count": 5, "width": "0.6 um"}, "mirror_reflectance": 0.5, "faults": "as-printed"})");
-    EXPECT_EQ(full.slits.count, 5U);
-    EXPECT_EQ(full.slits.width, 0.6 * um);
-    EXPECT_EQ(full.slits.period, 8.3 * um);
-    EXPECT_EQ(full.mirrorReflectance, 0.5);
-    EXPECT_EQ(full.faults, Faults::asPrinted);
 }
 
 // ---- objects -------------------------------------------------------------------------------------

@@ -1,0 +1,349 @@
+// Light from slits in a beam, at any distance where the far field of a single slit holds (docs/theory.md, "Slits").
+// Across the slits the beam spreads by their diffraction, along them it stays the beam, with Fresnel's edges.
+// A continuous spectrum comes out of response tables, integrated over wavelength on the host (src/compile/response.hpp);
+// the lines of a spectrum are followed one by one.
+
+// A point as a grating sees it.
+struct GratingView {
+    float x, y, z;       // offset in the grating's frame
+    float conical;       // sqrt(1 - betaIn^2)
+    float rho;           // distance from the slit
+    float range;         // distance along the light's way
+    float footY;         // where on the slits the light comes from
+};
+
+GratingView viewFrom(SlitGrating g, vec3 offset) {
+    GratingView v;
+    v.x = dot(offset, g.across);
+    v.y = dot(offset, g.along);
+    v.z = dot(offset, g.normal);
+    v.conical = sqrt(1.0 - g.betaIn * g.betaIn);
+    v.rho = sqrt(v.x * v.x + v.z * v.z);
+    v.range = v.rho / v.conical;
+    v.footY = v.y - v.range * g.betaIn;
+    return v;
+}
+
+// Beyond this many Fresnel widths an edge's ripple is less than 1e-3 in white light, and its spill less than 1e-4.
+const float EDGE_REACH = 16.0;
+const float SPILL_REACH = 20.0;
+const float LONGEST_WAVE = 0.78e-6;
+const float MIDDLE_WAVE = 0.55e-6;
+
+const float ROUND_PIECES = 24.0;    // that a disc-shaped beam is cut into for a continuous spectrum
+const float MOST_STRIPS = 384.0;    // for one wavelength: enough up to a Fresnel number of about 40
+
+// Fresnel's unit of length at the beam's edge, along the slits.
+float fresnelWidth(SlitGrating g, GratingView v, float wavelength) {
+    return sqrt(0.5 * wavelength * v.range) / v.conical;
+}
+
+// How far from its axis the beam reaches along the slits at the point's distance, without diffraction.
+float beamEdge(SlitGrating g, GratingView v) {
+    float scale = abs(1.0 - g.convergence * v.range);
+    return g.halfHeight * (g.profile == GAUSSIAN_BEAM ? 2.2 : 1.0) * scale + 0.5 * g.angularSize * v.range;
+}
+
+// On the grating's outgoing side and within the beam along the slits: nothing else of it gets there.
+bool reachesSlits(SlitGrating g, vec3 position) {
+    vec3 offset = position - g.position;
+    if (dot(offset, g.normal) <= 0.0) return false;
+    GratingView v = viewFrom(g, offset);
+    return abs(v.footY) <= beamEdge(g, v) + SPILL_REACH * fresnelWidth(g, v, LONGEST_WAVE);
+}
+
+// The beam's intensity where it lands, relative to where it left, in one of its two dimensions: `offset` from the axis as
+// traced back to the grating, `curvature` of the phase per length that straight travel gives (1 / distance where it is
+// perpendicular), `half` the extent at the grating, `bandwidth` as in fading(). Tends to 1 inside the geometric image
+// of an even beam.
+float footprint(SlitGrating g, uint profile, float offset, float curvature, float half_, float wavelength, float bandwidth) {
+    float focused = curvature - g.convergence;             // 0 in the focus, where the far field is
+    float blur = g.angularSize / curvature;
+    if (HAS_GAUSSIAN_BEAMS != 0u && profile == GAUSSIAN_BEAM) {
+        float image = half_ * focused / curvature;
+        float spread = wavelength / (3.14159265 * half_ * curvature);
+        float square = image * image + spread * spread + blur * blur / 3.0;
+        return half_ * inversesqrt(square) * exp(-2.0 * offset * offset / square);
+    }
+    if (blur > sqrt(wavelength / curvature)) {             // the source's size hides the ripple
+        float image = max(half_ * abs(focused) / curvature, 1e-9);
+        float overlap = min((image + 0.5 * blur - abs(offset)) / blur, min(1.0, 2.0 * image / blur));
+        return clamp(overlap, 0.0, 1.0) * half_ / image;
+    }
+    float direction = offset * curvature;
+    if (abs(focused) * half_ * half_ < 1e-4 * wavelength) {
+        return curvature * 4.0 * half_ * half_ / wavelength * slitFactor(2.0 * half_ * direction / wavelength);
+    }
+    float scale = sqrt(2.0 * abs(focused) / wavelength);
+    float center = direction / focused;
+    return curvature / abs(focused) * stripIntensity(scale * (-half_ - center), scale * (half_ - center), bandwidth);
+}
+
+// The same in both dimensions for the part of an even disc that meets the slits: strip by strip along the slits, each with
+// closed ends, at the nodes y = radius sin(theta) that make the sum converge geometrically once they resolve the phase.
+float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength) {
+    vec2 focused = curvature - g.convergence;
+    vec2 direction = offset * curvature;
+    if (focused.x < 0.0) {                                 // the conjugate has the same intensity
+        focused = -focused;
+        direction = -direction;
+    }
+    float radius = g.halfWidth;
+    bool inFocus = focused.x * radius * radius < 1e-3 * wavelength;
+    float scale = sqrt(2.0 * focused.x / wavelength);
+    float center = direction.x / max(focused.x, 1e-9);
+    vec2 turns = radius * (0.5 * radius * abs(focused) + abs(direction)) / wavelength;
+    float nodes = min(ceil(12.0 + 3.2 * (turns.x + turns.y)), MOST_STRIPS);
+    vec2 sum = vec2(0.0);
+    for (float i = 0.5; i < nodes; i += 1.0) {
+        vec2 sineCosine = sinCosPi(i / nodes - 0.5);
+        float y = radius * sineCosine.x;
+        float half_ = min(radius * sineCosine.y, g.halfSlits);
+        vec2 wave = sinCosPi(y * (focused.y * y - 2.0 * direction.y) / wavelength);   // (sin, cos)
+        vec2 across;
+        if (inFocus) {
+            across = vec2(2.0 * half_ * sincOf(2.0 * half_ * direction.x / wavelength), 0.0);
+        } else {
+            across = stripAmplitude(scale * (-half_ - center), scale * (half_ - center)) / scale;
+        }
+        sum += sineCosine.y * vec2(across.x * wave.y - across.y * wave.x, across.x * wave.x + across.y * wave.y);
+    }
+    sum *= 3.14159265 * radius / nodes;
+    return dot(sum, sum) * curvature.x * curvature.y / (wavelength * wavelength);
+}
+
+// Whether a disc-shaped beam ends at so different heights for the slits in it that no common edge diffracts.
+bool hasRoundEdge(SlitGrating g, float curvature) {
+    if (g.profile != FLAT_BEAM) return false;
+    float lit = min(g.halfSlits, g.halfWidth);
+    float sag = g.halfHeight - sqrt(g.halfWidth * g.halfWidth - lit * lit);
+    return sag * sag * curvature > LONGEST_WAVE;
+}
+
+// Along the slits.
+float footprintAlong(SlitGrating g, GratingView v, float wavelength, float bandwidth) {
+    float curvature = v.conical * v.conical / v.range;
+    return footprint(g, g.profile, v.footY, curvature, g.halfHeight, wavelength, bandwidth);
+}
+
+// Half of the width across the slits that is lit.
+float halfLit(SlitGrating g) {
+    return min(g.halfSlits, g.profile == GAUSSIAN_BEAM ? 2.2 * g.halfWidth : g.halfWidth);   // exp(-2 2.2^2) = 6e-5
+}
+
+// Running integral of the piecewise linear response over its steps, exact.
+vec3 responseIntegral(uint density, uint prefix, uint entries, float place) {
+    float at = clamp(place, 0.0, float(entries) - 1.001);
+    uint i = uint(at);
+    float f = at - float(i);
+    vec3 left = tableColor(density + 3u * i);
+    vec3 right = tableColor(density + 3u * i + 3u);
+    return tableColor(prefix + 3u * i) + f * (left + 0.5 * f * (right - left));
+}
+
+// At a place between two entries.
+vec3 responseAt(uint density, uint entries, float place) {
+    float at = clamp(place, 0.0, float(entries) - 1.001);
+    uint i = uint(at);
+    return mix(tableColor(density + 3u * i), tableColor(density + 3u * i + 3u), at - float(i));
+}
+
+// Windows of so many steps and more are differences of the running integral; of fewer these would leave too few digits.
+const float LONG_WINDOW = 16.0;
+
+// Mean of a response over a window of sines; `table` is one band's.
+vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
+    float place = (u - g.firstU) * g.perU;
+    float steps = width * g.perU;
+    if (HAS_WIDE_GRATINGS == 0u || steps <= 1.0) return responseAt(table, g.entries, place);
+    if (steps >= LONG_WINDOW) {
+        uint prefix = table + 3u * g.entries;
+        return (responseIntegral(table, prefix, g.entries, place + 0.5 * steps) -
+                responseIntegral(table, prefix, g.entries, place - 0.5 * steps)) / steps;
+    }
+    float samples = ceil(steps);
+    vec3 sum = vec3(0.0);
+    for (float i = 0.5; i < samples; i += 1.0) {
+        sum += responseAt(table, g.entries, place + (i / samples - 0.5) * steps);
+    }
+    return sum / samples;
+}
+
+// Of the light of one band: where orders are narrower than the band it is their wavelength that counts.
+float footprintInBand(SlitGrating g, GratingView v, float u, uint band) {
+    float wavelength_um = bandMiddle_um(band);
+    float step_um = bandMiddle_um(band + 1u) - wavelength_um;
+    float order = roundEven(abs(u) * g.period_um / wavelength_um);
+    float line_um = abs(u) * g.period_um / max(order, 1.0);
+    float width_um = line_um / (max(order, 1.0) * g.count);
+    bool isLine = order > 0.0 && width_um < step_um && abs(line_um - wavelength_um) < step_um;
+    float center_um = isLine ? line_um : wavelength_um;
+    return footprintAlong(g, v, center_um * 1e-6, (isLine ? width_um : -step_um) / center_um);
+}
+
+// What the slits between `left` and `right` of the middle send to a point: the mean response over the window of sines that
+// they fill, times `weight`, or in each band times the footprint there where that is `rippled`.
+vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uint reflectance, Throughput throughput,
+                      float weight, bool bandwise, bool rippled, float blur, float facing) {
+    // Sine of the direction from either end; their difference without cancellation.
+    float x1 = v.x - right, x2 = v.x - left;
+    float r1 = sqrt(x1 * x1 + v.z * v.z), r2 = sqrt(x2 * x2 + v.z * v.z);
+    float sine = (right - left) * v.z / (r1 * r2);
+    float cosine = (x1 * x2 + v.z * v.z) / (r1 * r2);
+    float window = v.conical * (v.z / r1 + v.z / r2) * sine / (1.0 + cosine);
+    float u = 0.5 * v.conical * (x1 / r1 + x2 / r2) - g.alphaIn;
+    float power = g.irradiance * window * facing * v.rho / (v.conical * v.z);
+
+    float focused = window * abs(1.0 - g.convergence * v.range);
+    float width = sqrt(focused * focused + blur * blur);
+    uint bands = bandwise ? SPECTRAL_BANDS : 1u;
+    uint row = g.response + reflectance * (6u * (SPECTRAL_BANDS + 1u)) * g.entries;
+    vec3 sum = vec3(0.0);
+    [[dont_unroll]] for (uint k = 0u; k < bands; ++k) {
+        float bandWeight = weight;
+        if (rippled) bandWeight = footprintInBand(g, v, u, k);
+        sum += bandWeight * throughput.band[BANDS > 1u ? k : 0u] * meanResponse(g, row + (bandwise ? k + 1u : 0u) * 6u * g.entries, u, width);
+    }
+    return sum * power;
+}
+
+// A continuous spectrum: all orders where the slits are narrow, all but the undeviated one where they are wide.
+vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throughput, float blur, float facing) {
+    float curvature = v.conical * v.conical / v.range;
+    bool isGaussian = HAS_GAUSSIAN_BEAMS != 0u && g.profile == GAUSSIAN_BEAM;
+    bool isRound = HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u && hasRoundEdge(g, curvature);
+    float edge = beamEdge(g, v) - abs(v.footY);
+    bool rippled = !isGaussian && !isRound && abs(edge) < EDGE_REACH * fresnelWidth(g, v, LONGEST_WAVE);
+    float weight = footprintAlong(g, v, MIDDLE_WAVE, 0.0);
+    if (edge > 0.0 && !isGaussian && !isRound && g.convergence == 0.0 && g.angularSize == 0.0) weight = 1.0;
+    float half_ = halfLit(g);
+    vec3 sum = vec3(0.0);
+    if (isRound) {
+        // Each slit has its own height. Pieces of even angle are as fine as the chords change fast.
+        float u = v.conical * v.x / v.rho - g.alphaIn;
+        float waves = abs(u) * g.period_um / (1e6 * MIDDLE_WAVE);
+        float wavelength = clamp(MIDDLE_WAVE * waves / max(roundEven(waves), 1.0), 0.4e-6, 0.7e-6);
+        float last = asin(half_ / g.halfWidth);
+        float left = -half_;
+        for (float i = 1.0; i <= ROUND_PIECES; i += 1.0) {
+            float right = g.halfWidth * sin(last * (2.0 * i / ROUND_PIECES - 1.0));
+            float middle = 0.5 * (left + right);
+            float height = sqrt(g.halfWidth * g.halfWidth - middle * middle);
+            float share = footprint(g, RECTANGULAR_BEAM, v.footY, curvature, height, wavelength, 0.0);
+            sum += fromSlitsBetween(g, v, left, right, reflectance, throughput, share, BANDS > 1u, false, blur, facing);
+            left = right;
+        }
+        return sum;
+    }
+    uint pieces = isGaussian && decided(g.isWide) != 0u ? 8u : 1u;
+    float step_ = 2.0 * half_ / float(pieces);
+    for (uint i = 0u; i < pieces; ++i) {
+        float left = -half_ + step_ * float(i);
+        float middle = (left + 0.5 * step_) / g.halfWidth;
+        float share = pieces > 1u ? exp(-2.0 * middle * middle) : 1.0;
+        sum += fromSlitsBetween(g, v, left, left + step_, reflectance, throughput, share * weight, BANDS > 1u || rippled,
+                                rippled, blur, facing);
+    }
+    return sum;
+}
+
+// One wavelength in order `order` of wide slits: an image of the beam along the order's direction.
+float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, float order, float wavelength_um,
+                      float bandwidth) {
+    float alpha = g.alphaIn + order * wavelength_um / g.period_um;
+    float gamma2 = 1.0 - alpha * alpha - g.betaIn * g.betaIn;
+    if (gamma2 <= 0.0) return 0.0;                         // evanescent: carries no power
+    float gamma = sqrt(gamma2);
+    float range = v.z / gamma;
+    vec3 direction = alpha * g.across + g.betaIn * g.along + gamma * g.normal;
+    float facing = -dot(direction, normal);
+    if (facing <= 0.0) return 0.0;
+    float footX = v.x - range * alpha;
+    float footY = v.y - range * g.betaIn;
+    float curvatureX = (1.0 - alpha * alpha) / range;
+    float wavelength = wavelength_um * 1e-6;
+    float share = g.width_um / g.period_um * slitFactor(order * g.width_um / g.period_um);
+    float curvatureY = v.conical * v.conical / range;
+    float value = share * g.irradiance * facing / gamma;
+    if (hasRoundEdge(g, curvatureY)) {
+        // Far from the disc there is nothing, and no strip need be summed.
+        if (max(abs(footX), abs(footY)) > 1.5 * g.halfWidth + SPILL_REACH * sqrt(0.5 * wavelength / curvatureX)) return 0.0;
+        return value * discFootprint(g, vec2(footX, footY), vec2(curvatureX, curvatureY), wavelength);
+    }
+    bool isGaussianAcross = g.profile == GAUSSIAN_BEAM && g.halfSlits > g.halfWidth;
+    GratingView there = v;
+    there.range = range;
+    there.footY = footY;
+    return value * footprintAlong(g, there, wavelength, bandwidth) *
+           footprint(g, isGaussianAcross ? GAUSSIAN_BEAM : RECTANGULAR_BEAM, footX, curvatureX,
+                     isGaussianAcross ? g.halfWidth : halfLit(g), wavelength, bandwidth);
+}
+
+// The colour of a wavelength followed on its own: record `i` of a list, after the path.
+vec3 waveColor(uint record, Throughput throughput, float wavelength_um) {
+    return throughputAt(throughput, wavelength_um) * tableColor(record + 1u);
+}
+
+vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput,
+                   float facing) {
+    float u = v.conical * v.x / v.rho - g.alphaIn;
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < g.lineCount; ++i) {
+        uint record = g.lines + 4u * (reflectance * g.lineCount + i);
+        float wavelength_um = tables[record];
+        float value = 0.0;
+        if (HAS_WIDE_GRATINGS != 0u && decided(g.linesAreImages) != 0u) {
+            float nearest = roundEven(u * g.period_um / wavelength_um);
+            for (float order = nearest - 1.0; order <= nearest + 1.0; order += 1.0) {
+                value += orderIrradiance(g, v, offset, normal, order, wavelength_um, 0.0);
+            }
+        } else {
+            float perTurn = u / wavelength_um;
+            value = slitFactor(perTurn * g.width_um) * arrayFactor(perTurn * g.period_um, g.count) *
+                    (g.width_um / wavelength_um / g.count) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
+                    footprintAlong(g, v, wavelength_um * 1e-6, 0.0) * facing;
+        }
+        sum += value * waveColor(record, throughput, wavelength_um);
+    }
+    return sum;
+}
+
+vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput) {
+    vec3 sum = vec3(0.0);
+    float gamma = sqrt(1.0 - g.alphaIn * g.alphaIn - g.betaIn * g.betaIn);
+    float range = v.z / gamma;
+    float footX = v.x - range * g.alphaIn;
+    float half_ = halfLit(g);
+    float spill = max(SPILL_REACH * sqrt(0.5 * LONGEST_WAVE * range), 0.5 * ZERO_ORDER_LOBES * LONGEST_WAVE * range / half_);
+    if (abs(footX) > half_ + spill / (gamma * gamma) + 0.5 * g.angularSize * range) return sum;
+    for (uint i = 0u; i < g.zeroOrderCount; ++i) {
+        uint record = g.zeroOrder + 4u * (reflectance * g.zeroOrderCount + i);
+        float wavelength_um = tables[record];
+        sum += orderIrradiance(g, v, offset, normal, 0.0, wavelength_um, -ZERO_ORDER_STEP_um / wavelength_um) *
+               waveColor(record, throughput, wavelength_um);
+    }
+    return sum;
+}
+
+// Light reflected towards the eye by a diffuse surface of reflectance row `reflectance`, times pi, XYZ. `normal` is on the
+// eye's side; `view` and `pixel`, direction and width of what the sample sees, say over how many fringes to average.
+vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance,
+                      Throughput throughput) {
+    GratingView v = viewFrom(g, offset);
+    vec3 direction = (v.conical * v.x / v.rho) * g.across + g.betaIn * g.along + (v.conical * v.z / v.rho) * g.normal;
+    float facing = -dot(direction, normal);
+    vec3 sum = vec3(0.0);
+    if (HAS_SLIT_CONTINUUM != 0u && g.entries > 0u && facing > 0.0) {
+        // How fast the sine changes across the picture, along the surface.
+        float slope = v.conical * v.z / (v.rho * v.rho * v.rho);
+        vec3 gradient = slope * (v.z * g.across - v.x * g.normal);
+        gradient -= normal * (dot(gradient, view) / dot(normal, view));
+        float blur = sqrt(dot(gradient, gradient) * pixel * pixel + g.angularSize * g.angularSize);
+        sum += continuum(g, v, reflectance, throughput, blur, facing);
+        if (HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u) {
+            sum += undeviated(g, v, offset, normal, reflectance, throughput);
+        }
+    }
+    if (HAS_SLIT_LINES != 0u) sum += spectralLines(g, v, offset, normal, reflectance, throughput, facing > 0.0 ? facing : 0.0);
+    return sum;
+}

@@ -1,0 +1,182 @@
+#include "compile/gratings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "compile/slit_response.hpp"
+#include "optics/energy.hpp"
+
+namespace fringe::compile {
+namespace {
+
+using namespace units;
+
+// Slits that cover more than this are wide: the undeviated light is then followed apart from the orders, and
+// with it the near field across the slits. Below, the far field holds to 2e-3 from 0.15 m on (Fresnel number
+// 0.005).
+constexpr Length kWide = 40.0 * um;
+
+// From this many on, the lines of wide slits are images of the beam, an order each; what the three nearest
+// orders leave out of the exact sum is 1 / (pi^2 count^2 1.5) of the peak.
+constexpr std::uint32_t kManySlits = 16;
+
+float toFloat(double value) {
+    return static_cast<float>(value);
+}
+
+// Power per area of the grating at the beam's middle.
+double centralIrradiance(const scene::Beam& beam) {
+    const double area = (beam.width / m) * (beam.height / m);
+    const double power = beam.power / W;
+    switch (beam.profile) {
+        case scene::BeamProfile::flat:
+            return 4.0 * power / (std::numbers::pi * area);
+        case scene::BeamProfile::gaussian:
+            return 8.0 * power / (std::numbers::pi * area);
+        case scene::BeamProfile::rectangle:
+            return power / area;
+    }
+    return 0.0;
+}
+
+device::uint profileOf(scene::BeamProfile profile) {
+    switch (profile) {
+        case scene::BeamProfile::flat:
+            return device::FLAT_BEAM;
+        case scene::BeamProfile::gaussian:
+            return device::GAUSSIAN_BEAM;
+        case scene::BeamProfile::rectangle:
+            return device::RECTANGULAR_BEAM;
+    }
+    return device::FLAT_BEAM;
+}
+
+// Wavelengths that the device follows one by one, for one reflectance: [sample][wavelength_um, x, y, z].
+void appendFollowed(const std::vector<SpectralSample>& samples, const std::vector<glm::dvec3>& colors,
+                    std::vector<float>& values) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        values.push_back(toFloat(1e-3 * samples[i].wavelength_nm));
+        for (int j = 0; j < 3; ++j) values.push_back(toFloat(colors[i][j]));
+    }
+}
+
+// What the film records of the samples, each divided by the share of its power that propagates.
+class Colors {
+public:
+    Colors(const optics::Slits& slits, const SlitBeam& beam, const SpectralTables& tables)
+        : slits_(slits), beam_(beam), tables_(tables) {}
+
+    glm::dvec3 of(const SpectralSample& sample, std::size_t reflectance) const {
+        const double share =
+            optics::propagatingShare(slits_, sample.wavelength_nm * nm, beam_.alphaIn, beam_.betaIn);
+        return sample.power / share * tables_.response(reflectance, sample.wavelength_nm);
+    }
+
+private:
+    const optics::Slits& slits_;
+    const SlitBeam& beam_;
+    const SpectralTables& tables_;
+};
+
+// [reflectance][line][...]
+void appendLines(const std::vector<SpectralSample>& lines, const Colors& colors, std::size_t reflectances,
+                 std::vector<float>& values) {
+    for (std::size_t reflectance = 0; reflectance < reflectances; ++reflectance) {
+        std::vector<glm::dvec3> ofLines;
+        for (const SpectralSample& line : lines) ofLines.push_back(colors.of(line, reflectance));
+        appendFollowed(lines, ofLines, values);
+    }
+}
+
+// The continuous spectrum in coarse steps, for light that all wavelengths share the way of; the colours are
+// those of fine steps, divided between the coarse ones on either side. [reflectance][step][...]; returns how
+// many steps there are.
+device::uint appendCoarse(const optics::Spectrum& spectrum, const Colors& colors, std::size_t reflectances,
+                          std::vector<float>& values) {
+    const double step_nm = 1e3 * double{device::ZERO_ORDER_STEP_um};
+    std::vector<SpectralSample> coarse;
+    for (double at = optics::kShortestVisible_nm; at <= optics::kLongestVisible_nm; at += step_nm)
+        coarse.push_back({at, 0.0});
+    const std::vector<SpectralSample> fine = continuousSamples(spectrum, 1.0);
+    for (std::size_t reflectance = 0; reflectance < reflectances; ++reflectance) {
+        std::vector<glm::dvec3> sums(coarse.size(), glm::dvec3(0.0));
+        for (const SpectralSample& sample : fine) {
+            const double place = (sample.wavelength_nm - optics::kShortestVisible_nm) / step_nm;
+            const auto i = std::min(static_cast<std::size_t>(place), coarse.size() - 2);
+            const double next = place - static_cast<double>(i);
+            const glm::dvec3 color = colors.of(sample, reflectance);
+            sums[i] += (1.0 - next) * color;
+            sums[i + 1] += next * color;
+        }
+        appendFollowed(coarse, sums, values);
+    }
+    return static_cast<device::uint>(coarse.size());
+}
+
+}  // namespace
+
+device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
+                                 const optics::Spectrum& spectrum, const SpectralTables& tables,
+                                 std::vector<float>& values) {
+    const scene::Beam& beam = grating.beam;
+    optics::Slits slits = given;
+    if (slits.count == 1) slits.period = slits.width;
+    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
+    const SlitBeam incident{glm::dot(beam.direction, across),
+                            glm::dot(beam.direction, grating.slitDirection)};
+    const Length extent = 1.0 * slits.count * slits.period;
+    const bool isWide = extent > kWide;
+
+    // Power per area that leaves, averaged over a period.
+    double irradiance = centralIrradiance(beam) * (slits.width / slits.period);
+    if (grating.efficiency) {
+        irradiance *=
+            *grating.efficiency / optics::openFraction(slits, beam.width / m, beam.height / m,
+                                                       static_cast<optics::BeamShape>(beam.profile));
+    }
+
+    device::SlitGrating packed{};
+    packed.position = glm::vec3(grating.position);
+    packed.across = glm::vec3(across);
+    packed.along = glm::vec3(grating.slitDirection);
+    packed.normal = glm::vec3(grating.normal);
+    packed.alphaIn = toFloat(incident.alphaIn);
+    packed.betaIn = toFloat(incident.betaIn);
+    packed.profile = profileOf(beam.profile);
+    packed.halfWidth = toFloat(0.5 * (beam.width / m));
+    packed.halfHeight = toFloat(0.5 * (beam.height / m));
+    packed.halfSlits = toFloat(0.5 * (extent / m));
+    packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
+    packed.angularSize = toFloat(beam.angularSize / rad);
+    packed.irradiance = toFloat(irradiance);
+    packed.isWide = isWide ? 1U : 0U;
+    packed.linesAreImages = isWide && slits.count >= kManySlits ? 1U : 0U;
+    packed.count = toFloat(slits.count);
+    packed.width_um = toFloat(slits.width / um);
+    packed.period_um = toFloat(slits.period / um);
+
+    const auto here = [&] { return static_cast<device::uint>(values.size()); };
+    const Colors colors(slits, incident, tables);
+    const std::size_t reflectances = tables.reflectances().size();
+    if (!spectrum.density.empty()) {
+        const SlitResponse response = slitResponse(slits, incident, spectrum, tables, !isWide);
+        packed.firstU = toFloat(response.firstU);
+        packed.perU = toFloat(response.perU);
+        packed.entries = response.entries;
+        packed.response = here();
+        values.insert(values.end(), response.values.begin(), response.values.end());
+        if (isWide) {
+            packed.zeroOrder = here();
+            packed.zeroOrderCount = appendCoarse(spectrum, colors, reflectances, values);
+        }
+    }
+    const std::vector<SpectralSample> lines = lineSamples(spectrum);
+    packed.lines = here();
+    packed.lineCount = static_cast<device::uint>(lines.size());
+    appendLines(lines, colors, reflectances, values);
+    return packed;
+}
+
+}  // namespace fringe::compile

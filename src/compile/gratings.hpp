@@ -1,0 +1,17 @@
+// A physical grating of the scene as the device gets it: its record, and its part of the tables.
+#pragma once
+
+#include <vector>
+
+#include "compile/interface.hpp"
+#include "compile/spectral.hpp"
+#include "scene/scene.hpp"
+
+namespace fringe::compile {
+
+// Appends to `values` what the device reads beside the record; `tables` must know all reflectances.
+device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
+                                 const optics::Spectrum& spectrum, const SpectralTables& tables,
+                                 std::vector<float>& values);
+
+}  // namespace fringe::compile

@@ -1,0 +1,229 @@
+#include "compile/slit_response.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "optics/energy.hpp"
+
+namespace fringe::compile {
+namespace {
+
+using std::numbers::pi;
+
+double sincSquared(double x) {
+    const double y = pi * x;
+    const double quotient = std::abs(y) < 1e-6 ? 1.0 : std::sin(y) / y;
+    return quotient * quotient;
+}
+
+double fejer(double count, double t) {
+    const double r = t - std::nearbyint(t);
+    const double denominator = count * std::sin(pi * r);
+    const double quotient = std::abs(count * r) < 1e-6 ? 1.0 : std::sin(pi * count * r) / denominator;
+    return quotient * quotient;
+}
+
+// Integral of sinc^2 from 0 on: Simpson's rule once per process, then linear between the nodes (error 2e-6),
+// and from kLast on the tail 1/2 - 1/(2 pi^2 x), its ripple left out (2e-6).
+class SincSquaredIntegral {
+public:
+    SincSquaredIntegral() {
+        values_.push_back(0.0);
+        for (int i = 0; i < kLast * kPerUnit; ++i) {
+            const double x = static_cast<double>(i) / kPerUnit, h = 1.0 / kPerUnit;
+            values_.push_back(values_.back() +
+                              h / 6.0 *
+                                  (sincSquared(x) + 4.0 * sincSquared(x + 0.5 * h) + sincSquared(x + h)));
+        }
+    }
+
+    double operator()(double x) const {
+        const double a = std::abs(x);
+        double value = 0.5 - 0.5 / (pi * pi * std::max(a, 1.0));
+        if (a < kLast) {
+            const double place = a * kPerUnit;
+            const auto i = static_cast<std::size_t>(place);
+            value = values_[i] + (place - static_cast<double>(i)) * (values_[i + 1] - values_[i]);
+        }
+        return std::copysign(value, x);
+    }
+
+private:
+    static constexpr int kLast = 48, kPerUnit = 256;
+    std::vector<double> values_;
+};
+
+// Integral of sinc^2(count (t - order)) count over t from t1 to t2, 0 < t1: all orders but 0, or its mean if
+// `zeroOrder`; those further than kNear off as their mean.
+double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
+    static const SincSquaredIntegral integral;
+    constexpr int kNear = 8;
+    const int first = static_cast<int>(std::floor(t1)) - kNear;
+    const int last = static_cast<int>(std::ceil(t2)) + kNear;
+    double sum = (t2 - t1) / (pi * pi * count * (kNear + 0.5));
+    if (zeroOrder && first <= 0) sum += 0.5 * (t2 - t1) / (pi * pi * count * t1 * t2);
+    for (int order = first; order <= last; ++order) {
+        if (order == 0) continue;
+        sum += integral(count * (t2 - order)) - integral(count * (t1 - order));
+    }
+    return sum;
+}
+
+// One bin of wavelengths and what the film records of it, per reflectance.
+struct Bin {
+    double wavelength_um;
+    double weight;                   // power over the propagating share
+    std::vector<glm::dvec3> colors;  // response
+    BandShare share;
+};
+
+std::vector<Bin> wavelengthBins(const optics::Slits& slits, const SlitBeam& beam,
+                                const optics::Spectrum& spectrum, const SpectralTables& tables,
+                                double step_nm) {
+    std::vector<Bin> bins;
+    for (const SpectralSample& sample : continuousSamples(spectrum, step_nm)) {
+        Bin bin{};
+        bin.wavelength_um = 1e-3 * sample.wavelength_nm;
+        bin.weight = sample.power;
+        for (std::size_t r = 0; r < tables.reflectances().size(); ++r) {
+            bin.colors.push_back(tables.response(r, sample.wavelength_nm));
+        }
+        bin.share = bandShare(sample.wavelength_nm);
+        bins.push_back(std::move(bin));
+    }
+    // The propagating share varies slowly but for jumps where an order passes off; each nanometre has its
+    // own.
+    double known_nm = -1.0, share = 1.0;
+    for (Bin& bin : bins) {
+        const double wavelength_nm = std::round(1e3 * bin.wavelength_um);
+        if (wavelength_nm != known_nm) {
+            known_nm = wavelength_nm;
+            share = optics::propagatingShare(slits, units::Length{1e-9 * wavelength_nm}, beam.alphaIn,
+                                             beam.betaIn);
+        }
+        bin.weight /= share;
+    }
+    return bins;
+}
+
+// [reflectance][sum, bands]: one colour each.
+class Accumulator {
+public:
+    explicit Accumulator(std::size_t reflectances) : sums_(reflectances) {}
+
+    void clear() {
+        for (auto& bands : sums_) bands.fill(glm::dvec3(0.0));
+    }
+    void add(const Bin& bin, double value) {
+        for (std::size_t r = 0; r < sums_.size(); ++r) {
+            const glm::dvec3 color = value * bin.colors[r];
+            sums_[r][bin.share.band] += (1.0 - bin.share.upper) * color;
+            sums_[r][bin.share.band + 1] += bin.share.upper * color;
+        }
+    }
+    glm::dvec3 band(std::size_t reflectance, std::size_t index) const { return sums_[reflectance][index]; }
+    glm::dvec3 total(std::size_t reflectance) const {
+        glm::dvec3 sum(0.0);
+        for (const glm::dvec3& color : sums_[reflectance]) sum += color;
+        return sum;
+    }
+
+private:
+    std::vector<std::array<glm::dvec3, device::SPECTRAL_BANDS>> sums_;
+};
+
+// Largest table per grating; beyond it the steps grow.
+constexpr double kLargest_bytes = 64.0 * 1024.0 * 1024.0;
+
+}  // namespace
+
+SlitResponse slitResponse(const optics::Slits& slits, const SlitBeam& beam, const optics::Spectrum& spectrum,
+                          const SpectralTables& tables, bool zeroOrder) {
+    const double count = slits.count;
+    const double width_um = slits.width / units::um;
+    const double period_um = slits.period / units::um;
+    const double extent_um = (count - 1.0) * period_um + width_um;
+    const std::size_t reflectances = tables.reflectances().size();
+    const double conical = std::sqrt(1.0 - beam.betaIn * beam.betaIn);
+    const double largestU = conical + std::abs(beam.alphaIn);
+
+    // Steps per unit of u: 113 per micrometre of the whole extent, or 1400 per micrometre of the period
+    // without the zero order, each for 2.5e-4 instead of 1e-3 and per unit instead of per two.
+    const double entryBytes =
+        static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0) * 2.0 * sizeof(glm::vec3);
+    const double wanted = std::max(64.0, zeroOrder ? 113.0 * extent_um : 1400.0 * period_um);
+    const double perU = std::min(wanted, kLargest_bytes / entryBytes / (2.0 * conical));
+
+    // Wavelengths: four to the narrowest side lobe for the direct sum; bins of half a nanometre for the
+    // orders.
+    const double lobes = 13.0 * extent_um * largestU;
+    const double step_nm = zeroOrder ? 400.0 / std::max(400.0, std::ceil(lobes)) : 0.5;
+    const std::vector<Bin> bins = wavelengthBins(slits, beam, spectrum, tables, step_nm);
+
+    const auto below = static_cast<int>(std::ceil((conical + beam.alphaIn) * perU)) + 1;
+    const auto above = static_cast<int>(std::ceil((conical - beam.alphaIn) * perU)) + 1;
+    const auto entries = static_cast<device::uint>(below + above + 1);
+    SlitResponse out{-below / perU, perU, entries, {}};
+    const std::size_t perTable = std::size_t{6} * entries;
+    out.values.resize(reflectances * (device::SPECTRAL_BANDS + 1) * perTable);
+
+    const auto store = [&](std::size_t table, int signedEntry, glm::dvec3 color) {
+        const int entry = signedEntry + below;
+        if (entry < 0 || entry >= static_cast<int>(entries)) return;
+        for (int i = 0; i < 3; ++i) {
+            out.values[table * perTable + 3U * static_cast<std::size_t>(entry) +
+                       static_cast<std::size_t>(i)] = static_cast<float>(color[i]);
+        }
+    };
+
+    // The undeviated beam is followed by the device as far as this; the rest of it is in the response.
+    const double lastLobe = double{device::ZERO_ORDER_LOBES} * 1e-3 * optics::kLongestVisible_nm / extent_um;
+
+    // The response depends on |u| alone.
+    Accumulator sums(reflectances);
+    for (int entry = 0; entry <= std::max(below, above); ++entry) {
+        const double u = entry / perU;
+        sums.clear();
+        for (const Bin& bin : bins) {
+            const double perTurn = u / bin.wavelength_um;
+            double value = bin.weight * sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
+            if (zeroOrder) {
+                value *= count * fejer(count, period_um * perTurn);
+            } else {
+                const double half_um = 5e-4 * step_nm;
+                const double t1 = period_um * u / (bin.wavelength_um + half_um);
+                const double t2 = period_um * u / (bin.wavelength_um - half_um);
+                if (t2 - t1 < 1e-9) continue;  // at u = 0 nothing but the zero order
+                value *= diffractedShare(count, t1, t2, u > lastLobe) / (t2 - t1);
+            }
+            sums.add(bin, value);
+        }
+        for (std::size_t r = 0; r < reflectances; ++r) {
+            for (std::size_t table = 0; table <= device::SPECTRAL_BANDS; ++table) {
+                const glm::dvec3 color = table == 0 ? sums.total(r) : sums.band(r, table - 1);
+                store(r * (device::SPECTRAL_BANDS + 1) + table, entry, color);
+                store(r * (device::SPECTRAL_BANDS + 1) + table, -entry, color);
+            }
+        }
+    }
+
+    // Prefix sums, in steps: entry i holds the integral from the first entry to it.
+    for (std::size_t table = 0; table < out.values.size() / perTable; ++table) {
+        const float* density = out.values.data() + table * perTable;
+        float* prefix = out.values.data() + table * perTable + std::size_t{3} * entries;
+        glm::dvec3 sum(0.0);
+        for (std::size_t entry = 0; entry < entries; ++entry) {
+            for (int i = 0; i < 3; ++i) {
+                const std::size_t at = 3 * entry + static_cast<std::size_t>(i);
+                if (entry > 0) sum[i] += 0.5 * (double{density[at - 3]} + double{density[at]});
+                prefix[at] = static_cast<float>(sum[i]);
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace fringe::compile

@@ -1,0 +1,217 @@
+#include "optics/mask_spectrum.hpp"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+
+#include "optics/integrals.hpp"
+#include "optics/shares.hpp"
+#include "optics/transform.hpp"
+
+namespace fringe::optics {
+namespace {
+
+using glm::dvec2;
+using std::numbers::pi;
+using units::m;
+
+// Points of the table along an axis: eight for each pixel, in a table that stays in memory caches and
+// textures; four for each where that is not enough.
+std::uint32_t tableSize(std::uint32_t pixels) {
+    constexpr std::uint32_t kLargest = 4096;
+    return std::max(std::min(std::bit_ceil(8 * pixels), kLargest), std::bit_ceil(4 * pixels));
+}
+
+// rows x (columns + 2) reals that FFTW turns, in place, into rows x (columns/2 + 1) complex numbers.
+class Grid {
+public:
+    Grid(std::uint32_t columns, std::uint32_t rows)
+        : columns_(columns), rows_(rows), data_(fftwf_alloc_real(std::size_t{rows} * (columns + 2))) {
+        std::fill_n(data_.get(), std::size_t{rows} * (columns + 2), 0.0F);
+    }
+
+    float& real(std::uint32_t column, std::uint32_t row) {
+        return data_.get()[std::size_t{row} * (columns_ + 2) + column];
+    }
+    std::complex<float>* complexNumbers() { return reinterpret_cast<std::complex<float>*>(data_.get()); }
+    std::size_t complexCount() const { return std::size_t{rows_} * (columns_ / 2 + 1); }
+
+    void transform() {
+        execute(fftwf_plan_dft_r2c_2d(static_cast<int>(rows_), static_cast<int>(columns_), data_.get(),
+                                      reinterpret_cast<fftwf_complex*>(data_.get()), FFTW_ESTIMATE));
+    }
+    void transformBack() {
+        execute(fftwf_plan_dft_c2r_2d(static_cast<int>(rows_), static_cast<int>(columns_),
+                                      reinterpret_cast<fftwf_complex*>(data_.get()), data_.get(),
+                                      FFTW_ESTIMATE));
+    }
+
+private:
+    static void execute(fftwf_plan plan) {
+        fftwf_execute(plan);
+        fftwf_destroy_plan(plan);
+    }
+
+    struct Free {
+        void operator()(float* data) const { fftwf_free(data); }
+    };
+    std::uint32_t columns_;
+    std::uint32_t rows_;
+    std::unique_ptr<float, Free> data_;
+};
+
+// Twice the mask holds its autocorrelation, at all lags from -(pixels - 1) to pixels - 1.
+Grid autocorrelation(const MaskAperture& mask) {
+    Grid grid(2 * mask.columns, 2 * mask.rows);
+    for (std::uint32_t row = 0; row < mask.rows; ++row)
+        for (std::uint32_t column = 0; column < mask.columns; ++column)
+            grid.real(column, row) = mask.transmission[std::size_t{row} * mask.columns + column];
+    grid.transform();
+    for (std::size_t i = 0; i < grid.complexCount(); ++i)
+        grid.complexNumbers()[i] = std::norm(grid.complexNumbers()[i]);
+    grid.transformBack();
+    return grid;
+}
+
+// 1 / sinc^4(lag / size): the cubic B-spline's transform.
+std::vector<float> deconvolution(std::uint32_t pixels, std::uint32_t size) {
+    std::vector<float> factors(pixels);
+    for (std::uint32_t lag = 0; lag < pixels; ++lag)
+        factors[lag] = static_cast<float>(std::pow(sinc(double(lag) / size), -4));
+    return factors;
+}
+
+// Of the four cubic B-splines around a point `t` behind the second.
+std::array<double, 4> splineWeights(double t) {
+    const double s = 1.0 - t;
+    return {s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0,
+            (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0, t * t * t / 6.0};
+}
+
+}  // namespace
+
+MaskSpectrum::MaskSpectrum(const MaskAperture& mask)
+    : extent_(mask.columns * (mask.pixel / m), mask.rows * (mask.pixel / m)),
+      pixel_(mask.pixel / m),
+      peak_(std::norm(transform(mask, dvec2(0.0)))),
+      area_(area(mask)),
+      edgesAcross_(0.0),
+      columns_(tableSize(mask.columns)),
+      rows_(tableSize(mask.rows)) {
+    assert(peak_ > 0.0);
+    const auto at = [&](std::int64_t column, std::int64_t row) {
+        const bool isInside = column >= 0 && column < mask.columns && row >= 0 && row < mask.rows;
+        return isInside ? double(mask.transmission[static_cast<std::size_t>(row * mask.columns + column)])
+                        : 0.0;
+    };
+    for (std::int64_t row = 0; row <= mask.rows; ++row) {
+        for (std::int64_t column = 0; column <= mask.columns; ++column) {
+            edgesAcross_.x += pixel_ * std::pow(at(column, row) - at(column - 1, row), 2);
+            edgesAcross_.y += pixel_ * std::pow(at(column, row) - at(column, row - 1), 2);
+        }
+    }
+
+    Grid table(columns_, rows_);
+    {
+        Grid lags = autocorrelation(mask);
+        const std::vector<float> forColumns = deconvolution(mask.columns, columns_);
+        const std::vector<float> forRows = deconvolution(mask.rows, rows_);
+        // FFTW's round trip multiplies by the number of points.
+        const double pixels = 4.0 * mask.columns * mask.rows;
+        const auto scale = static_cast<float>(std::pow(pixel_, 4) / (pixels * peak_));
+        for (std::uint32_t j = 0; j < 2 * mask.rows; ++j) {
+            for (std::uint32_t i = 0; i < 2 * mask.columns; ++i) {
+                if (i == mask.columns || j == mask.rows) continue;
+                const bool isLeft = i > mask.columns, isUp = j > mask.rows;
+                const std::uint32_t lagX = isLeft ? 2 * mask.columns - i : i,
+                                    lagY = isUp ? 2 * mask.rows - j : j;
+                table.real(isLeft ? columns_ - lagX : lagX, isUp ? rows_ - lagY : lagY) =
+                    scale * forColumns[lagX] * forRows[lagY] * lags.real(i, j);
+            }
+        }
+    }
+    table.transform();
+    values_.resize(table.complexCount());
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = table.complexNumbers()[i].real();
+}
+
+double MaskSpectrum::coefficient(std::int64_t i, std::int64_t j) const {
+    std::int64_t column = i & (columns_ - 1);
+    std::int64_t row = j;
+    if (column > columns_ / 2) {
+        column = columns_ - column;
+        row = -row;
+    }
+    row &= rows_ - 1;
+    return values_[static_cast<std::size_t>(row * (columns_ / 2 + 1) + column)];
+}
+
+double MaskSpectrum::pixelFactor(dvec2 f_per_m) const {
+    const double factor = sinc(pixel_ * f_per_m.x) * sinc(pixel_ * f_per_m.y);
+    return factor * factor;
+}
+
+// The mask's rows run down while y runs up, so the row of frequencies is -y.
+double MaskSpectrum::relativePower(dvec2 f_per_m) const {
+    const double x = f_per_m.x * pixel_ * columns_, y = -f_per_m.y * pixel_ * rows_;
+    const double left = std::floor(x), up = std::floor(y);
+    const std::array<double, 4> across = splineWeights(x - left), down = splineWeights(y - up);
+    const auto column = static_cast<std::int64_t>(left) - 1, row = static_cast<std::int64_t>(up) - 1;
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            sum += across[static_cast<std::size_t>(i)] * down[static_cast<std::size_t>(j)] *
+                   coefficient(column + i, row + j);
+    return sum * pixelFactor(f_per_m);
+}
+
+// See edgesBeyond() of polygon_share.cpp.
+double MaskSpectrum::evanescentEdges(double wavelength, dvec2 incident) const {
+    const Incidence in{wavelength, incident};
+    const auto perReach = [&](dvec2 normal) { return 1.0 / reach(in, normal) + 1.0 / reach(in, -normal); };
+    return wavelength / (4.0 * pi * pi * area_) *
+           (edgesAcross_.x * perReach({1.0, 0.0}) + edgesAcross_.y * perReach({0.0, 1.0}));
+}
+
+double MaskSpectrum::propagatingShare(units::Length wavelength, double alphaIn, double betaIn) const {
+    constexpr double kWide = 200.0;  // wavelengths; beyond, the sum takes longer than a frame
+    const dvec2 incident(alphaIn, betaIn);
+    const double wave = wavelength / m;
+    if (std::max(extent_.x, extent_.y) > kWide * wave) return 1.0 - evanescentEdges(wave, incident);
+
+    // |A|^2 is band-limited: its integral over the plane is the sum over this grid. A point near the edge of
+    // what propagates counts by how much of its surroundings does.
+    const dvec2 step(0.5 / extent_.x, 0.5 / extent_.y);
+    const dvec2 sineStep = wave * step;
+    const auto fromX = static_cast<std::int64_t>((-1.0 - alphaIn) / sineStep.x) - 1;
+    const auto toX = static_cast<std::int64_t>((1.0 - alphaIn) / sineStep.x) + 1;
+    const auto fromY = static_cast<std::int64_t>((-1.0 - betaIn) / sineStep.y) - 1;
+    const auto toY = static_cast<std::int64_t>((1.0 - betaIn) / sineStep.y) + 1;
+    double sum = 0.0;
+    for (std::int64_t j = fromY; j <= toY; ++j) {
+        for (std::int64_t i = fromX; i <= toX; ++i) {
+            const dvec2 steps(static_cast<double>(i), static_cast<double>(j));
+            const dvec2 out = incident + sineStep * steps;
+            const double sine = glm::length(out);
+            const double span = sine == 0.0 ? 1.0 : glm::dot(glm::abs(out), sineStep) / sine;
+            const double covered = std::clamp(0.5 + (1.0 - sine) / span, 0.0, 1.0);
+            if (covered > 0.0) sum += covered * relativePower(step * steps);
+        }
+    }
+    return sum * peak_ * step.x * step.y / area_;
+}
+
+double shareOf(const MaskAperture& mask, const Incidence& in) {
+    return MaskSpectrum(mask).propagatingShare(in.wavelength * m, in.direction.x, in.direction.y);
+}
+
+}  // namespace fringe::optics

@@ -1,0 +1,56 @@
+// The far field of a mask: |A|^2 on a fine grid of frequencies, which serves every wavelength.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "optics/aperture.hpp"
+
+namespace fringe::optics {
+
+// |A(f)|^2 / |A(0)|^2 as a sum of cubic B-splines, times what a single pixel makes of it. The coefficients
+// are the transform of the mask's autocorrelation, divided beforehand by the B-spline's own transform, so
+// what is left of the interpolation's error is aliasing (as in a non-uniform FFT). Relative to the peak it
+// stays below 5e-4, and in pictures without lone pixels at far corners below 5e-5, while the table has eight
+// points or more for each pixel; it grows as the inverse fourth power towards four points (masks of more than
+// 512 pixels).
+class MaskSpectrum {
+public:
+    // Takes the time of two fast Fourier transforms of the table's size. The mask may not be all opaque.
+    explicit MaskSpectrum(const MaskAperture& mask);
+
+    // Relative to the peak; `f_per_m` as in transform().
+    double relativePower(glm::dvec2 f_per_m) const;
+
+    // |A(0)|^2 in m^4.
+    double peak() const { return peak_; }
+
+    // As propagatingShare(). Error 1e-4 from 5 to 200 wavelengths across and 1e-3 below; of wider masks what
+    // is evanescent (below 1e-2) is known to a fourth.
+    double propagatingShare(units::Length wavelength, double alphaIn, double betaIn) const;
+
+    // Coefficient of the B-spline at frequency (i/columns, j/rows)/pixel: values()[j * (columns/2 + 1) + i]
+    // for 0 <= i <= columns/2, 0 <= j < rows. The others follow from the periods `columns`, `rows` and from
+    // symmetry: (i, j) has the value of (-i, -j).
+    std::span<const float> values() const { return values_; }
+    std::uint32_t columns() const { return columns_; }
+    std::uint32_t rows() const { return rows_; }
+
+private:
+    double coefficient(std::int64_t i, std::int64_t j) const;
+    double pixelFactor(glm::dvec2 f_per_m) const;
+    double evanescentEdges(double wavelength, glm::dvec2 incident) const;
+
+    glm::dvec2 extent_;       // of the mask, metres
+    double pixel_;            // metres
+    double peak_;             // m^4
+    double area_;             // m^2, integral of the squared transmission
+    glm::dvec2 edgesAcross_;  // metres: length of the edges whose normal is x or y, times the squared step
+    std::uint32_t columns_;
+    std::uint32_t rows_;
+    std::vector<float> values_;
+};
+
+}  // namespace fringe::optics

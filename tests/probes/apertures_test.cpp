@@ -1,0 +1,170 @@
+// Openings in two dimensions on the device, against the host's transforms in double precision and, for round
+// ones, the standard library's Bessel functions, at the very floats that the device got.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "optics/shapes.hpp"
+#include "optics/transform.hpp"
+#include "probes/probe.hpp"
+
+namespace fringe::testing {
+namespace {
+
+using namespace units;
+using glm::dvec2;
+using glm::vec2;
+using optics::PolygonalAperture;
+
+double sincSquared(double x) {
+    const double y = std::numbers::pi * x;
+    const double amplitude = std::abs(y) < 1e-9 ? 1.0 : std::sin(y) / y;
+    return amplitude * amplitude;
+}
+
+TEST(AperturesOnDevice, Rectangle) {
+    for (const auto& [width, height] : {std::pair{0.3F, 2.0F}, {10.0F, 7.0F}, {3000.0F, 0.1F}}) {
+        const std::vector<vec2> directions = directionsInTwoDimensions(std::max(width, height));
+        std::vector<double> expected;
+        for (const vec2& uv : directions)
+            expected.push_back(sincSquared(double{uv.x} * width) * sincSquared(double{uv.y} * height));
+        const std::array parameters{width, height};
+        expectNear(evaluate(Probe::rectangle, parameters, directions), expected, directions, kSineBound);
+    }
+}
+
+// 2 J1(x)/x.
+double airy(double x) {
+    return x < 1e-9 ? 1.0 : 2.0 * std::cyl_bessel_j(1.0, x) / x;
+}
+
+TEST(AperturesOnDevice, Circle) {
+    for (const float diameter : {0.3F, 1.0F, 12.5F, 300.0F}) {
+        const std::vector<vec2> directions = directionsInTwoDimensions(diameter);
+        std::vector<double> expected;
+        for (const vec2& uv : directions) {
+            const double x = std::numbers::pi * diameter * std::hypot(double{uv.x}, double{uv.y});
+            expected.push_back(std::pow(airy(x), 2));
+        }
+        expectNear(evaluate(Probe::circle, {&diameter, 1}, directions), expected, directions, kSineBound);
+    }
+}
+
+TEST(AperturesOnDevice, Ring) {
+    for (const auto& [diameter, inner] :
+         {std::pair{1.0F, 0.5F}, {12.5F, 0.1F}, {12.5F, 0.9F}, {200.0F, 0.99F}}) {
+        const std::vector<vec2> directions = directionsInTwoDimensions(diameter);
+        std::vector<double> expected;
+        const double share = double{inner} * inner;
+        for (const vec2& uv : directions) {
+            const double x = std::numbers::pi * diameter * std::hypot(double{uv.x}, double{uv.y});
+            expected.push_back(std::pow((airy(x) - share * airy(inner * x)) / (1.0 - share), 2));
+        }
+        const std::array parameters{diameter, inner};
+        // Two digits less for a ring of a hundredth of its radius.
+        expectNear(evaluate(Probe::ring, parameters, directions), expected, directions,
+                   std::min(kSineBound / (1.0 - share), 1e-5));
+    }
+}
+
+// Of vertices in um; each is rounded to a float first, so that the host sees the same polygon.
+void comparePolygon(std::vector<dvec2> vertices, double wavelength_um, double bound) {
+    PolygonalAperture polygon;
+    std::vector<float> parameters{static_cast<float>(1.0 / wavelength_um), 0.0F};
+    double radius = 0.0;
+    for (const dvec2& vertex : vertices) {
+        const vec2 rounded(vertex);
+        parameters.push_back(rounded.x);
+        parameters.push_back(rounded.y);
+        polygon.vertices.emplace_back(1e-6 * double{rounded.x}, 1e-6 * double{rounded.y});
+        radius = std::max(radius, std::hypot(vertex.x, vertex.y));
+    }
+    const double area = optics::area(polygon);
+    parameters[1] = static_cast<float>(1e12 * area);
+    const std::vector<vec2> directions = directionsInTwoDimensions(2.0 * radius / wavelength_um);
+    std::vector<double> expected;
+    for (const vec2& uv : directions) {
+        const vec2 f_per_um = uv * parameters[0];  // as the probe does
+        expected.push_back(std::norm(optics::transform(polygon, 1e6 * dvec2(f_per_um)) / area));
+    }
+    expectNear(evaluate(Probe::polygon, parameters, directions), expected, directions, bound);
+}
+
+std::vector<dvec2> scaled(PolygonalAperture polygon, double factor) {
+    for (dvec2& vertex : polygon.vertices) vertex *= factor;
+    return polygon.vertices;
+}
+
+TEST(AperturesOnDevice, RegularPolygons) {
+    for (const int vertices : {3, 4, 5, 6, 9, 64})
+        for (const double radius_um : {0.1, 2.0, 60.0, 2000.0})
+            comparePolygon(scaled(optics::regularPolygon(vertices, 1.0), radius_um), 0.55, 2.0 * kSineBound);
+}
+
+TEST(AperturesOnDevice, PolygonsThatAreNotConvex) {
+    for (const double factor : {0.1e6, 1e6, 100e6})
+        comparePolygon(scaled(optics::ell(), factor), 0.48, 2.0 * kSineBound);
+    PolygonalAperture star;
+    for (int i = 0; i < 10; ++i) {
+        const double radius = i % 2 == 0 ? 10.0 : 4.0, angle = std::numbers::pi * i / 5.0;
+        star.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    comparePolygon(star.vertices, 0.6, 2.0 * kSineBound);
+    // A needle, of which perimeter * radius/area is 40.
+    comparePolygon({{-10.0, -0.5}, {10.0, -0.5}, {10.0, 0.5}, {-10.0, 0.5}}, 0.6, 1e-5);
+}
+
+TEST(AperturesOnDevice, Lattice) {
+    const double wavelength_um = 0.55;
+    for (const auto& [first, second] :
+         {std::pair{dvec2(3.0, 0.0), dvec2(0.0, 2.0)}, {dvec2(3.0, 0.4), dvec2(-1.1, 2.7)}}) {
+        for (const auto& [firstCount, secondCount] :
+             {std::pair{1.0F, 1.0F}, {4.0F, 7.0F}, {1000.0F, 50.0F}, {100'000.0F, 3.0F}}) {
+            std::vector<float> parameters;
+            dvec2 given[2];
+            for (int i = 0; i < 2; ++i) {
+                const dvec2 inWaves = (i == 0 ? first : second) / wavelength_um;
+                const TwoFloats x = split(inWaves.x), y = split(inWaves.y);
+                given[i] = {double{x.high} + x.low, double{y.high} + y.low};
+                for (const float value : {x.high, y.high, x.low, y.low}) parameters.push_back(value);
+            }
+            parameters.push_back(firstCount);
+            parameters.push_back(secondCount);
+            // Half of the directions next to an order, in both.
+            std::vector<vec2> directions = directionsInTwoDimensions(10.0);
+            const double determinant = given[0].x * given[1].y - given[0].y * given[1].x;
+            for (std::size_t i = 20; i < directions.size(); i += 2) {
+                const double m = std::nearbyint(2.0 * directions[i].x) + directions[i - 1].x / firstCount;
+                const double n = std::nearbyint(2.0 * directions[i].y) + directions[i - 1].y / secondCount;
+                directions[i] = vec2(dvec2(m * given[1].y - n * given[0].y, n * given[0].x - m * given[1].x) /
+                                     determinant);
+            }
+            std::vector<double> expected;
+            for (const vec2& uv : directions) {
+                double product = 1.0;
+                const float counts[2] = {firstCount, secondCount};
+                for (int i = 0; i < 2; ++i) {
+                    // Sum of the phasors as a geometric series: numerator and denominator from the same long
+                    // double.
+                    const long double t = static_cast<long double>(uv.x) * given[i].x +
+                                          static_cast<long double>(uv.y) * given[i].y;
+                    const long double r = t - std::nearbyint(t), pi = std::numbers::pi_v<long double>;
+                    if (r != 0.0L) {
+                        const long double quotient =
+                            std::sin(pi * r * counts[i]) / (counts[i] * std::sin(pi * r));
+                        product *= static_cast<double>(quotient * quotient);
+                    }
+                }
+                expected.push_back(product);
+            }
+            expectNear(evaluate(Probe::lattice, parameters, directions), expected, directions, kSineBound);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fringe::testing

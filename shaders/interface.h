@@ -189,6 +189,9 @@ struct SlitGrating {
     uint response;       // in the tables: for each reflectance, for the sum of all bands and each band, density and prefix sum
     uint lines;          // in the tables: for each reflectance, wavelengths that are followed one by one
     uint lineCount;
+    uint shares;         // in the tables: for each line the share of the beam that each order takes; where orderCount is 0
+    uint orderCount;     // they are those of an amplitude grating
+    float firstOrder;
     uint zeroOrder;      // likewise, wavelengths that stand for the undeviated beam's continuous spectrum
     uint zeroOrderCount;
 };

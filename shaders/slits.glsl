@@ -10,6 +10,7 @@ struct GratingView {
     float rho;           // distance from the slit
     float range;         // distance along the light's way
     float footY;         // where on the slits the light comes from
+    vec2 smear;          // over so much across and along the slits the sample averages: the source's size and the pixel's
 };
 
 GratingView viewFrom(SlitGrating g, vec3 offset) {
@@ -21,6 +22,7 @@ GratingView viewFrom(SlitGrating g, vec3 offset) {
     v.rho = sqrt(v.x * v.x + v.z * v.z);
     v.range = v.rho / v.conical;
     v.footY = v.y - v.range * g.betaIn;
+    v.smear = vec2(0.0);
     return v;
 }
 
@@ -31,6 +33,7 @@ const float LONGEST_WAVE = 0.78e-6;
 const float MIDDLE_WAVE = 0.55e-6;
 
 const float ROUND_PIECES = 24.0;    // that a disc-shaped beam is cut into for a continuous spectrum
+const float GAUSSIAN_PIECES = 8.0;  // likewise a Gaussian beam across wide slits
 const float MOST_STRIPS = 384.0;    // for one wavelength: enough up to a Fresnel number of about 40
 
 // Fresnel's unit of length at the beam's edge, along the slits.
@@ -52,36 +55,57 @@ bool reachesSlits(SlitGrating g, vec3 position) {
     return abs(v.footY) <= beamEdge(g, v) + SPILL_REACH * fresnelWidth(g, v, LONGEST_WAVE);
 }
 
+// The extent of what is averaged over, in widths of the ripple of an edge, or of the main lobe of a narrower opening.
+float ripplesIn(float smear, float curvature, float half_, float wavelength) {
+    return smear / max(sqrt(wavelength / curvature), 0.5 * wavelength / (half_ * curvature));
+}
+
+// Whether that hides the ripple: 0 not at all, 1 wholly.
+float hiding(float ripples) {
+    return smoothstep(1.0, 2.0, ripples);
+}
+
 // The beam's intensity where it lands, relative to where it left, in one of its two dimensions: `offset` from the axis as
 // traced back to the grating, `curvature` of the phase per length that straight travel gives (1 / distance where it is
 // perpendicular), `half` the extent at the grating, `bandwidth` as in fading(). Tends to 1 inside the geometric image
 // of an even beam.
-float footprint(SlitGrating g, uint profile, float offset, float curvature, float half_, float wavelength, float bandwidth) {
+float footprint(SlitGrating g, uint profile, float offset, float curvature, float half_, float wavelength, float bandwidth,
+                float smear) {
     float focused = curvature - g.convergence;             // 0 in the focus, where the far field is
-    float blur = g.angularSize / curvature;
     if (HAS_GAUSSIAN_BEAMS != 0u && profile == GAUSSIAN_BEAM) {
         float image = half_ * focused / curvature;
         float spread = wavelength / (3.14159265 * half_ * curvature);
-        float square = image * image + spread * spread + blur * blur / 3.0;
+        float square = image * image + spread * spread + smear * smear / 3.0;
         return half_ * inversesqrt(square) * exp(-2.0 * offset * offset / square);
     }
-    if (blur > sqrt(wavelength / curvature)) {             // the source's size hides the ripple
-        float image = max(half_ * abs(focused) / curvature, 1e-9);
-        float overlap = min((image + 0.5 * blur - abs(offset)) / blur, min(1.0, 2.0 * image / blur));
-        return clamp(overlap, 0.0, 1.0) * half_ / image;
+    // The share of a window that the geometric image covers.
+    float image = max(half_ * abs(focused) / curvature, 1e-9);
+    float window = max(smear, 1e-9);
+    float covered = min(abs(offset) + 0.5 * window, image) - max(abs(offset) - 0.5 * window, -image);
+    float value = max(covered, 0.0) / window * half_ / image;
+
+    float ripples = ripplesIn(smear, curvature, half_, wavelength);
+    float hidden = hiding(ripples);
+    float samples = hidden < 1.0 ? max(ceil(6.0 * ripples - 0.5), 1.0) : 0.0;
+    float sum = 0.0;
+    for (float i = 0.5; i < samples; i += 1.0) {
+        float direction = (offset + (i / samples - 0.5) * smear) * curvature;
+        float bare;
+        if (abs(focused) * half_ * half_ < 1e-4 * wavelength) {
+            bare = curvature * 4.0 * half_ * half_ / wavelength * slitFactor(2.0 * half_ * direction / wavelength);
+        } else {
+            float scale = sqrt(2.0 * abs(focused) / wavelength);
+            float center = direction / focused;
+            bare = curvature / abs(focused) * stripIntensity(scale * (-half_ - center), scale * (half_ - center), bandwidth);
+        }
+        sum += bare / samples;
     }
-    float direction = offset * curvature;
-    if (abs(focused) * half_ * half_ < 1e-4 * wavelength) {
-        return curvature * 4.0 * half_ * half_ / wavelength * slitFactor(2.0 * half_ * direction / wavelength);
-    }
-    float scale = sqrt(2.0 * abs(focused) / wavelength);
-    float center = direction / focused;
-    return curvature / abs(focused) * stripIntensity(scale * (-half_ - center), scale * (half_ - center), bandwidth);
+    return mix(sum, value, hidden);
 }
 
 // The same in both dimensions for the part of an even disc that meets the slits: strip by strip along the slits, each with
 // closed ends, at the nodes y = radius sin(theta) that make the sum converge geometrically once they resolve the phase.
-float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength) {
+float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength, vec2 smear) {
     vec2 focused = curvature - g.convergence;
     vec2 direction = offset * curvature;
     if (focused.x < 0.0) {                                 // the conjugate has the same intensity
@@ -89,11 +113,16 @@ float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength
         direction = -direction;
     }
     float radius = g.halfWidth;
+    vec2 image = max(radius * abs(focused) / curvature, 1e-9);
+    float hidden = hiding(ripplesIn(max(smear.x, smear.y), curvature.y, radius, wavelength));
+    float soft = min(image.x, image.y) / max(max(smear.x, smear.y), 1e-9);
+    float value = clamp(0.5 + (1.0 - length(offset / image)) * soft, 0.0, 1.0) * radius * radius / (image.x * image.y);
+    if (abs(offset.x) > image.x * g.halfSlits / radius) value = 0.0;
     bool inFocus = focused.x * radius * radius < 1e-3 * wavelength;
     float scale = sqrt(2.0 * focused.x / wavelength);
     float center = direction.x / max(focused.x, 1e-9);
     vec2 turns = radius * (0.5 * radius * abs(focused) + abs(direction)) / wavelength;
-    float nodes = min(ceil(12.0 + 3.2 * (turns.x + turns.y)), MOST_STRIPS);
+    float nodes = hidden < 1.0 ? min(ceil(12.0 + 3.2 * (turns.x + turns.y)), MOST_STRIPS) : 0.0;
     vec2 sum = vec2(0.0);
     for (float i = 0.5; i < nodes; i += 1.0) {
         vec2 sineCosine = sinCosPi(i / nodes - 0.5);
@@ -108,8 +137,8 @@ float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength
         }
         sum += sineCosine.y * vec2(across.x * wave.y - across.y * wave.x, across.x * wave.x + across.y * wave.y);
     }
-    sum *= 3.14159265 * radius / nodes;
-    return dot(sum, sum) * curvature.x * curvature.y / (wavelength * wavelength);
+    sum *= 3.14159265 * radius / max(nodes, 1.0);
+    return mix(dot(sum, sum) * curvature.x * curvature.y / (wavelength * wavelength), value, hidden);
 }
 
 // Whether a disc-shaped beam ends at so different heights for the slits in it that no common edge diffracts.
@@ -123,7 +152,7 @@ bool hasRoundEdge(SlitGrating g, float curvature) {
 // Along the slits.
 float footprintAlong(SlitGrating g, GratingView v, float wavelength, float bandwidth) {
     float curvature = v.conical * v.conical / v.range;
-    return footprint(g, g.profile, v.footY, curvature, g.halfHeight, wavelength, bandwidth);
+    return footprint(g, g.profile, v.footY, curvature, g.halfHeight, wavelength, bandwidth, v.smear.y);
 }
 
 // Half of the width across the slits that is lit.
@@ -148,25 +177,31 @@ vec3 responseAt(uint density, uint entries, float place) {
     return mix(tableColor(density + 3u * i), tableColor(density + 3u * i + 3u), at - float(i));
 }
 
-// Windows of so many steps and more are differences of the running integral; of fewer these would leave too few digits.
-const float LONG_WINDOW = 16.0;
+// Windows of this share of a table and more are differences of the running integral, which leaves 3e-5 of the mean.
+const float LONG_WINDOW = 1.0 / 512.0;
 
 // Mean of a response over a window of sines; `table` is one band's.
 vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
     float place = (u - g.firstU) * g.perU;
     float steps = width * g.perU;
-    if (HAS_WIDE_GRATINGS == 0u || steps <= 1.0) return responseAt(table, g.entries, place);
-    if (steps >= LONG_WINDOW) {
-        uint prefix = table + 3u * g.entries;
-        return (responseIntegral(table, prefix, g.entries, place + 0.5 * steps) -
-                responseIntegral(table, prefix, g.entries, place - 0.5 * steps)) / steps;
-    }
-    float samples = ceil(steps);
+    bool isLong = steps >= max(2.0, LONG_WINDOW * float(g.entries));
     vec3 sum = vec3(0.0);
-    for (float i = 0.5; i < samples; i += 1.0) {
-        sum += responseAt(table, g.entries, place + (i / samples - 0.5) * steps);
+    for (bool once = isLong; once; once = false) {
+        uint prefix = table + 3u * g.entries;
+        sum = (responseIntegral(table, prefix, g.entries, place + 0.5 * steps) -
+               responseIntegral(table, prefix, g.entries, place - 0.5 * steps)) / steps;
     }
-    return sum / samples;
+    float samples = isLong ? 0.0 : max(ceil(steps), 1.0);
+    for (float i = 0.5; i < samples; i += 1.0) {
+        sum += responseAt(table, g.entries, place + (i / samples - 0.5) * steps) / samples;
+    }
+    return sum;
+}
+
+// The wavelength of the order nearest to the visible range's middle.
+float nearestWave(SlitGrating g, GratingView v) {
+    float waves = abs(v.conical * v.x / v.rho - g.alphaIn) * g.period_um / (1e6 * MIDDLE_WAVE);
+    return clamp(MIDDLE_WAVE * waves / max(roundEven(waves), 1.0), 0.4e-6, 0.7e-6);
 }
 
 // Of the light of one band: where orders are narrower than the band it is their wavelength that counts.
@@ -207,48 +242,47 @@ vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uin
     return sum * power;
 }
 
-// A continuous spectrum: all orders where the slits are narrow, all but the undeviated one where they are wide.
+// A continuous spectrum: all orders where the slits are narrow, all but the undeviated one where they are wide. What few
+// points need is done in a loop of one turn: drivers for processors leave a loop, but go through both sides of an `if`.
 vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throughput, float blur, float facing) {
     float curvature = v.conical * v.conical / v.range;
     bool isGaussian = HAS_GAUSSIAN_BEAMS != 0u && g.profile == GAUSSIAN_BEAM;
     bool isRound = HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u && hasRoundEdge(g, curvature);
     float edge = beamEdge(g, v) - abs(v.footY);
-    bool rippled = !isGaussian && !isRound && abs(edge) < EDGE_REACH * fresnelWidth(g, v, LONGEST_WAVE);
-    float weight = footprintAlong(g, v, MIDDLE_WAVE, 0.0);
-    if (edge > 0.0 && !isGaussian && !isRound && g.convergence == 0.0 && g.angularSize == 0.0) weight = 1.0;
+    bool rippled = !isGaussian && !isRound && abs(edge) < EDGE_REACH * fresnelWidth(g, v, LONGEST_WAVE) &&
+                   ripplesIn(v.smear.y, curvature, g.halfHeight, MIDDLE_WAVE) < 0.7;
+    bool inside = edge > v.smear.y && !isGaussian && g.convergence == 0.0;
+    float along = 1.0;
+    for (bool once = !isRound && !rippled && !inside; once; once = false) {
+        along = footprintAlong(g, v, MIDDLE_WAVE, 0.2);
+    }
+
     float half_ = halfLit(g);
+    float pieces = isRound ? ROUND_PIECES : isGaussian && decided(g.isWide) != 0u ? GAUSSIAN_PIECES : 1.0;
+    float last = isRound ? asin(half_ / g.halfWidth) : 1.0;
+    float left = -half_;
     vec3 sum = vec3(0.0);
-    if (isRound) {
-        // Each slit has its own height. Pieces of even angle are as fine as the chords change fast.
-        float u = v.conical * v.x / v.rho - g.alphaIn;
-        float waves = abs(u) * g.period_um / (1e6 * MIDDLE_WAVE);
-        float wavelength = clamp(MIDDLE_WAVE * waves / max(roundEven(waves), 1.0), 0.4e-6, 0.7e-6);
-        float last = asin(half_ / g.halfWidth);
-        float left = -half_;
-        for (float i = 1.0; i <= ROUND_PIECES; i += 1.0) {
-            float right = g.halfWidth * sin(last * (2.0 * i / ROUND_PIECES - 1.0));
+    for (float i = 1.0; i <= pieces; i += 1.0) {
+        float right = half_ * (2.0 * i / pieces - 1.0);
+        float weight = along;
+        if (isRound) {
+            // Each slit has its own height. Pieces of even angle are as fine as the chords change fast.
+            right = g.halfWidth * sin(last * (2.0 * i / pieces - 1.0));
             float middle = 0.5 * (left + right);
             float height = sqrt(g.halfWidth * g.halfWidth - middle * middle);
-            float share = footprint(g, RECTANGULAR_BEAM, v.footY, curvature, height, wavelength, 0.0);
-            sum += fromSlitsBetween(g, v, left, right, reflectance, throughput, share, BANDS > 1u, false, blur, facing);
-            left = right;
+            weight = footprint(g, RECTANGULAR_BEAM, v.footY, curvature, height, nearestWave(g, v), 0.0, v.smear.y);
+        } else if (isGaussian && pieces > 1.0) {
+            float middle = 0.5 * (left + right) / g.halfWidth;
+            weight *= exp(-2.0 * middle * middle);
         }
-        return sum;
-    }
-    uint pieces = isGaussian && decided(g.isWide) != 0u ? 8u : 1u;
-    float step_ = 2.0 * half_ / float(pieces);
-    for (uint i = 0u; i < pieces; ++i) {
-        float left = -half_ + step_ * float(i);
-        float middle = (left + 0.5 * step_) / g.halfWidth;
-        float share = pieces > 1u ? exp(-2.0 * middle * middle) : 1.0;
-        sum += fromSlitsBetween(g, v, left, left + step_, reflectance, throughput, share * weight, BANDS > 1u || rippled,
-                                rippled, blur, facing);
+        sum += fromSlitsBetween(g, v, left, right, reflectance, throughput, weight, BANDS > 1u || rippled, rippled, blur, facing);
+        left = right;
     }
     return sum;
 }
 
 // One wavelength in order `order` of wide slits: an image of the beam along the order's direction.
-float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, float order, float wavelength_um,
+float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, float order, float share, float wavelength_um,
                       float bandwidth) {
     float alpha = g.alphaIn + order * wavelength_um / g.period_um;
     float gamma2 = 1.0 - alpha * alpha - g.betaIn * g.betaIn;
@@ -262,13 +296,12 @@ float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, fl
     float footY = v.y - range * g.betaIn;
     float curvatureX = (1.0 - alpha * alpha) / range;
     float wavelength = wavelength_um * 1e-6;
-    float share = g.width_um / g.period_um * slitFactor(order * g.width_um / g.period_um);
     float curvatureY = v.conical * v.conical / range;
     float value = share * g.irradiance * facing / gamma;
     if (hasRoundEdge(g, curvatureY)) {
         // Far from the disc there is nothing, and no strip need be summed.
         if (max(abs(footX), abs(footY)) > 1.5 * g.halfWidth + SPILL_REACH * sqrt(0.5 * wavelength / curvatureX)) return 0.0;
-        return value * discFootprint(g, vec2(footX, footY), vec2(curvatureX, curvatureY), wavelength);
+        return value * discFootprint(g, vec2(footX, footY), vec2(curvatureX, curvatureY), wavelength, v.smear);
     }
     bool isGaussianAcross = g.profile == GAUSSIAN_BEAM && g.halfSlits > g.halfWidth;
     GratingView there = v;
@@ -276,7 +309,16 @@ float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, fl
     there.footY = footY;
     return value * footprintAlong(g, there, wavelength, bandwidth) *
            footprint(g, isGaussianAcross ? GAUSSIAN_BEAM : RECTANGULAR_BEAM, footX, curvatureX,
-                     isGaussianAcross ? g.halfWidth : halfLit(g), wavelength, bandwidth);
+                     isGaussianAcross ? g.halfWidth : halfLit(g), wavelength, bandwidth, v.smear.x);
+}
+
+// Share of the light on line `line` that the slits send into an order.
+float orderShare(SlitGrating g, uint line, float order) {
+    float place = order - g.firstOrder;
+    if (HAS_ORDER_SHARES == 0u || decided(g.orderCount) == 0u) {
+        return g.width_um / g.period_um * slitFactor(order * g.width_um / g.period_um);
+    }
+    return place >= 0.0 && place < float(g.orderCount) ? tables[g.shares + line * g.orderCount + uint(place)] : 0.0;
 }
 
 // The colour of a wavelength followed on its own: record `i` of a list, after the path.
@@ -285,7 +327,7 @@ vec3 waveColor(uint record, Throughput throughput, float wavelength_um) {
 }
 
 vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput,
-                   float facing) {
+                   float blur, float facing) {
     float u = v.conical * v.x / v.rho - g.alphaIn;
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < g.lineCount; ++i) {
@@ -294,13 +336,18 @@ vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint 
         float value = 0.0;
         if (HAS_WIDE_GRATINGS != 0u && decided(g.linesAreImages) != 0u) {
             float nearest = roundEven(u * g.period_um / wavelength_um);
-            for (float order = nearest - 1.0; order <= nearest + 1.0; order += 1.0) {
-                value += orderIrradiance(g, v, offset, normal, order, wavelength_um, 0.0);
+            float others = g.count < 16.0 ? 3.0 : 1.0;     // the rest is 1/(pi^2 count^2 others) of the peak
+            for (float order = nearest - others; order <= nearest + others; order += 1.0) {
+                value += orderIrradiance(g, v, offset, normal, order, orderShare(g, i, order), wavelength_um, 0.0);
             }
         } else {
-            float perTurn = u / wavelength_um;
-            value = slitFactor(perTurn * g.width_um) * arrayFactor(perTurn * g.period_um, g.count) *
-                    (g.width_um / wavelength_um / g.count) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
+            // Four samples to a fringe; where a sample takes in many, their mean needs no more than sixty-four.
+            float samples = clamp(ceil(4.0 * blur * g.count * g.period_um / wavelength_um), 1.0, 64.0);
+            for (float j = 0.5; j < samples; j += 1.0) {
+                float perTurn = (u + (j / samples - 0.5) * blur) / wavelength_um;
+                value += slitFactor(perTurn * g.width_um) * arrayFactor(perTurn * g.period_um, g.count) / samples;
+            }
+            value *= (g.width_um / wavelength_um / g.count) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
                     footprintAlong(g, v, wavelength_um * 1e-6, 0.0) * facing;
         }
         sum += value * waveColor(record, throughput, wavelength_um);
@@ -319,10 +366,15 @@ vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint ref
     for (uint i = 0u; i < g.zeroOrderCount; ++i) {
         uint record = g.zeroOrder + 4u * (reflectance * g.zeroOrderCount + i);
         float wavelength_um = tables[record];
-        sum += orderIrradiance(g, v, offset, normal, 0.0, wavelength_um, -ZERO_ORDER_STEP_um / wavelength_um) *
+        sum += orderIrradiance(g, v, offset, normal, 0.0, 1.0, wavelength_um, -ZERO_ORDER_STEP_um / wavelength_um) *
                waveColor(record, throughput, wavelength_um);
     }
     return sum;
+}
+
+// By how much something with this gradient changes per length on a surface across the line of sight.
+float changeOnSurface(vec3 gradient, vec3 normal, vec3 view) {
+    return length(gradient - normal * (dot(gradient, view) / dot(normal, view)));
 }
 
 // Light reflected towards the eye by a diffuse surface of reflectance row `reflectance`, times pi, XYZ. `normal` is on the
@@ -332,18 +384,20 @@ vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float 
     GratingView v = viewFrom(g, offset);
     vec3 direction = (v.conical * v.x / v.rho) * g.across + g.betaIn * g.along + (v.conical * v.z / v.rho) * g.normal;
     float facing = -dot(direction, normal);
+    // How fast the sine and the places on the grating that light comes from change across the picture.
+    float slope = v.conical * v.z / (v.rho * v.rho * v.rho);
+    float ofSine = pixel * changeOnSurface(slope * (v.z * g.across - v.x * g.normal), normal, view);
+    float blur = sqrt(ofSine * ofSine + g.angularSize * g.angularSize);
+    v.smear = pixel * vec2(changeOnSurface(g.across - (v.x / v.z) * g.normal, normal, view),
+                           changeOnSurface(g.along - (g.betaIn * v.rho / (v.conical * v.z)) * g.normal, normal, view)) +
+              g.angularSize * v.range;
     vec3 sum = vec3(0.0);
     if (HAS_SLIT_CONTINUUM != 0u && g.entries > 0u && facing > 0.0) {
-        // How fast the sine changes across the picture, along the surface.
-        float slope = v.conical * v.z / (v.rho * v.rho * v.rho);
-        vec3 gradient = slope * (v.z * g.across - v.x * g.normal);
-        gradient -= normal * (dot(gradient, view) / dot(normal, view));
-        float blur = sqrt(dot(gradient, gradient) * pixel * pixel + g.angularSize * g.angularSize);
         sum += continuum(g, v, reflectance, throughput, blur, facing);
         if (HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u) {
             sum += undeviated(g, v, offset, normal, reflectance, throughput);
         }
     }
-    if (HAS_SLIT_LINES != 0u) sum += spectralLines(g, v, offset, normal, reflectance, throughput, facing > 0.0 ? facing : 0.0);
+    if (HAS_SLIT_LINES != 0u) sum += spectralLines(g, v, offset, normal, reflectance, throughput, blur, max(facing, 0.0));
     return sum;
 }

@@ -38,4 +38,5 @@
     X(33, HAS_SLIT_LINES)         \
     X(34, HAS_SLIT_CONTINUUM)     \
     X(35, HAS_WIDE_GRATINGS)      \
-    X(36, HAS_GAUSSIAN_BEAMS)
+    X(36, HAS_GAUSSIAN_BEAMS)     \
+    X(37, HAS_ORDER_SHARES)

@@ -360,6 +360,7 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
         grating.response += shift;
         grating.lines += shift;
         grating.zeroOrder += shift;
+        grating.shares += shift;
     }
 }
 

@@ -65,20 +65,46 @@ void appendFollowed(const std::vector<SpectralSample>& samples, const std::vecto
 // What the film records of the samples, each divided by the share of its power that propagates.
 class Colors {
 public:
-    Colors(const optics::Slits& slits, const SlitBeam& beam, const SpectralTables& tables)
-        : slits_(slits), beam_(beam), tables_(tables) {}
+    Colors(const LitSlits& lit, const SpectralTables& tables) : lit_(lit), tables_(tables) {}
 
     glm::dvec3 of(const SpectralSample& sample, std::size_t reflectance) const {
-        const double share =
-            optics::propagatingShare(slits_, sample.wavelength_nm * nm, beam_.alphaIn, beam_.betaIn);
+        const double share = lit_.propagatingShare(sample.wavelength_nm);
         return sample.power / share * tables_.response(reflectance, sample.wavelength_nm);
     }
 
 private:
-    const optics::Slits& slits_;
-    const SlitBeam& beam_;
+    const LitSlits& lit_;
     const SpectralTables& tables_;
 };
+
+// Share of the beam that an order of the slits takes.
+double orderShare(const LitSlits& lit, int order, double wavelength_nm) {
+    if (lit.orders.empty()) {
+        const double filled = lit.slits.width / lit.slits.period;
+        const double phase = std::numbers::pi * order * filled;
+        const double sinc = order == 0 ? 1.0 : std::sin(phase) / phase;
+        return filled * sinc * sinc;
+    }
+    for (const scene::OrderEfficiency& given : lit.orders) {
+        if (given.order == order) return optics::valueAt(given.efficiency, wavelength_nm);
+    }
+    return 0.0;
+}
+
+// [line][order], from the lowest order that is given to the highest.
+void appendShares(const std::vector<SpectralSample>& lines, const LitSlits& lit, device::SlitGrating& packed,
+                  std::vector<float>& values) {
+    if (lit.orders.empty() || lines.empty()) return;
+    const auto [lowest, highest] = std::minmax_element(
+        lit.orders.begin(), lit.orders.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
+    packed.shares = static_cast<device::uint>(values.size());
+    packed.firstOrder = toFloat(lowest->order);
+    packed.orderCount = static_cast<device::uint>(highest->order - lowest->order + 1);
+    for (const SpectralSample& line : lines) {
+        for (int order = lowest->order; order <= highest->order; ++order)
+            values.push_back(toFloat(orderShare(lit, order, line.wavelength_nm)));
+    }
+}
 
 // [reflectance][line][...]
 void appendLines(const std::vector<SpectralSample>& lines, const Colors& colors, std::size_t reflectances,
@@ -91,10 +117,10 @@ void appendLines(const std::vector<SpectralSample>& lines, const Colors& colors,
 }
 
 // The continuous spectrum in coarse steps, for light that all wavelengths share the way of; the colours are
-// those of fine steps, divided between the coarse ones on either side. [reflectance][step][...]; returns how
-// many steps there are.
-device::uint appendCoarse(const optics::Spectrum& spectrum, const Colors& colors, std::size_t reflectances,
-                          std::vector<float>& values) {
+// those of fine steps in order 0, divided between the coarse ones on either side. [reflectance][step][...];
+// returns how many steps there are.
+device::uint appendCoarse(const optics::Spectrum& spectrum, const LitSlits& lit, const Colors& colors,
+                          std::size_t reflectances, std::vector<float>& values) {
     const double step_nm = 1e3 * double{device::ZERO_ORDER_STEP_um};
     std::vector<SpectralSample> coarse;
     for (double at = optics::kShortestVisible_nm; at <= optics::kLongestVisible_nm; at += step_nm)
@@ -106,7 +132,8 @@ device::uint appendCoarse(const optics::Spectrum& spectrum, const Colors& colors
             const double place = (sample.wavelength_nm - optics::kShortestVisible_nm) / step_nm;
             const auto i = std::min(static_cast<std::size_t>(place), coarse.size() - 2);
             const double next = place - static_cast<double>(i);
-            const glm::dvec3 color = colors.of(sample, reflectance);
+            const glm::dvec3 color =
+                orderShare(lit, 0, sample.wavelength_nm) * colors.of(sample, reflectance);
             sums[i] += (1.0 - next) * color;
             sums[i + 1] += next * color;
         }
@@ -124,13 +151,13 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     optics::Slits slits = given;
     if (slits.count == 1) slits.period = slits.width;
     const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
-    const SlitBeam incident{glm::dot(beam.direction, across),
-                            glm::dot(beam.direction, grating.slitDirection)};
+    const LitSlits lit{slits, grating.efficiencies, glm::dot(beam.direction, across),
+                       glm::dot(beam.direction, grating.slitDirection)};
     const Length extent = 1.0 * slits.count * slits.period;
     const bool isWide = extent > kWide;
 
-    // Power per area that leaves, averaged over a period.
-    double irradiance = centralIrradiance(beam) * (slits.width / slits.period);
+    // Power per area that leaves, averaged over a period; where orders take their shares of it, that arrives.
+    double irradiance = centralIrradiance(beam) * (lit.orders.empty() ? slits.width / slits.period : 1.0);
     if (grating.efficiency) {
         irradiance *=
             *grating.efficiency / optics::openFraction(slits, beam.width / m, beam.height / m,
@@ -142,8 +169,8 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     packed.across = glm::vec3(across);
     packed.along = glm::vec3(grating.slitDirection);
     packed.normal = glm::vec3(grating.normal);
-    packed.alphaIn = toFloat(incident.alphaIn);
-    packed.betaIn = toFloat(incident.betaIn);
+    packed.alphaIn = toFloat(lit.alphaIn);
+    packed.betaIn = toFloat(lit.betaIn);
     packed.profile = profileOf(beam.profile);
     packed.halfWidth = toFloat(0.5 * (beam.width / m));
     packed.halfHeight = toFloat(0.5 * (beam.height / m));
@@ -152,16 +179,16 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     packed.angularSize = toFloat(beam.angularSize / rad);
     packed.irradiance = toFloat(irradiance);
     packed.isWide = isWide ? 1U : 0U;
-    packed.linesAreImages = isWide && slits.count >= kManySlits ? 1U : 0U;
+    packed.linesAreImages = (isWide && slits.count >= kManySlits) || !lit.orders.empty() ? 1U : 0U;
     packed.count = toFloat(slits.count);
     packed.width_um = toFloat(slits.width / um);
     packed.period_um = toFloat(slits.period / um);
 
     const auto here = [&] { return static_cast<device::uint>(values.size()); };
-    const Colors colors(slits, incident, tables);
+    const Colors colors(lit, tables);
     const std::size_t reflectances = tables.reflectances().size();
     if (!spectrum.density.empty()) {
-        const SlitResponse response = slitResponse(slits, incident, spectrum, tables, !isWide);
+        const SlitResponse response = slitResponse(lit, spectrum, tables, !isWide);
         packed.firstU = toFloat(response.firstU);
         packed.perU = toFloat(response.perU);
         packed.entries = response.entries;
@@ -169,13 +196,14 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
         values.insert(values.end(), response.values.begin(), response.values.end());
         if (isWide) {
             packed.zeroOrder = here();
-            packed.zeroOrderCount = appendCoarse(spectrum, colors, reflectances, values);
+            packed.zeroOrderCount = appendCoarse(spectrum, lit, colors, reflectances, values);
         }
     }
     const std::vector<SpectralSample> lines = lineSamples(spectrum);
     packed.lines = here();
     packed.lineCount = static_cast<device::uint>(lines.size());
     appendLines(lines, colors, reflectances, values);
+    appendShares(lines, lit, packed, values);
     return packed;
 }
 

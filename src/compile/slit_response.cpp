@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "optics/energy.hpp"
 
@@ -56,18 +57,22 @@ private:
     std::vector<double> values_;
 };
 
-// Integral of sinc^2(count (t - order)) count over t from t1 to t2, 0 < t1: all orders but 0, or its mean if
-// `zeroOrder`; those further than kNear off as their mean.
-double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
+const SincSquaredIntegral& sincSquaredIntegral() {
     static const SincSquaredIntegral integral;
-    constexpr int kNear = 8;
-    const int first = static_cast<int>(std::floor(t1)) - kNear;
-    const int last = static_cast<int>(std::ceil(t2)) + kNear;
-    double sum = (t2 - t1) / (pi * pi * count * (kNear + 0.5));
+    return integral;
+}
+
+// Integral of sinc^2(count (t - order)) count over t from t1 to t2, 0 < t1: all orders but 0, or its mean if
+// `zeroOrder`; those further off as their mean.
+double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
+    const int near = static_cast<int>(std::clamp(50.0 / count, 1.0, 8.0));  // 50 side lobes, or 8 orders
+    const int first = static_cast<int>(std::floor(t1)) - near;
+    const int last = static_cast<int>(std::ceil(t2)) + near;
+    double sum = (t2 - t1) / (pi * pi * count * (near + 0.5));
     if (zeroOrder && first <= 0) sum += 0.5 * (t2 - t1) / (pi * pi * count * t1 * t2);
     for (int order = first; order <= last; ++order) {
         if (order == 0) continue;
-        sum += integral(count * (t2 - order)) - integral(count * (t1 - order));
+        sum += sincSquaredIntegral()(count * (t2 - order)) - sincSquaredIntegral()(count * (t1 - order));
     }
     return sum;
 }
@@ -77,12 +82,12 @@ struct Bin {
     double wavelength_um;
     double weight;                   // power over the propagating share
     std::vector<glm::dvec3> colors;  // response
+    std::vector<double> orders;      // efficiencies, where they are given
     BandShare share;
 };
 
-std::vector<Bin> wavelengthBins(const optics::Slits& slits, const SlitBeam& beam,
-                                const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                double step_nm) {
+std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
+                                const SpectralTables& tables, double step_nm) {
     std::vector<Bin> bins;
     for (const SpectralSample& sample : continuousSamples(spectrum, step_nm)) {
         Bin bin{};
@@ -90,6 +95,9 @@ std::vector<Bin> wavelengthBins(const optics::Slits& slits, const SlitBeam& beam
         bin.weight = sample.power;
         for (std::size_t r = 0; r < tables.reflectances().size(); ++r) {
             bin.colors.push_back(tables.response(r, sample.wavelength_nm));
+        }
+        for (const scene::OrderEfficiency& order : lit.orders) {
+            bin.orders.push_back(optics::valueAt(order.efficiency, sample.wavelength_nm));
         }
         bin.share = bandShare(sample.wavelength_nm);
         bins.push_back(std::move(bin));
@@ -101,8 +109,7 @@ std::vector<Bin> wavelengthBins(const optics::Slits& slits, const SlitBeam& beam
         const double wavelength_nm = std::round(1e3 * bin.wavelength_um);
         if (wavelength_nm != known_nm) {
             known_nm = wavelength_nm;
-            share = optics::propagatingShare(slits, units::Length{1e-9 * wavelength_nm}, beam.alphaIn,
-                                             beam.betaIn);
+            share = lit.propagatingShare(wavelength_nm);
         }
         bin.weight /= share;
     }
@@ -140,15 +147,20 @@ constexpr double kLargest_bytes = 64.0 * 1024.0 * 1024.0;
 
 }  // namespace
 
-SlitResponse slitResponse(const optics::Slits& slits, const SlitBeam& beam, const optics::Spectrum& spectrum,
-                          const SpectralTables& tables, bool zeroOrder) {
-    const double count = slits.count;
-    const double width_um = slits.width / units::um;
-    const double period_um = slits.period / units::um;
+double LitSlits::propagatingShare(double wavelength_nm) const {
+    if (!orders.empty()) return 1.0;
+    return optics::propagatingShare(slits, wavelength_nm * units::nm, alphaIn, betaIn);
+}
+
+SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
+                          bool zeroOrder) {
+    const double count = lit.slits.count;
+    const double width_um = lit.slits.width / units::um;
+    const double period_um = lit.slits.period / units::um;
     const double extent_um = (count - 1.0) * period_um + width_um;
     const std::size_t reflectances = tables.reflectances().size();
-    const double conical = std::sqrt(1.0 - beam.betaIn * beam.betaIn);
-    const double largestU = conical + std::abs(beam.alphaIn);
+    const double conical = std::sqrt(1.0 - lit.betaIn * lit.betaIn);
+    const double largestU = conical + std::abs(lit.alphaIn);
 
     // Steps per unit of u: 113 per micrometre of the whole extent, or 1400 per micrometre of the period
     // without the zero order, each for 2.5e-4 instead of 1e-3 and per unit instead of per two.
@@ -161,10 +173,10 @@ SlitResponse slitResponse(const optics::Slits& slits, const SlitBeam& beam, cons
     // orders.
     const double lobes = 13.0 * extent_um * largestU;
     const double step_nm = zeroOrder ? 400.0 / std::max(400.0, std::ceil(lobes)) : 0.5;
-    const std::vector<Bin> bins = wavelengthBins(slits, beam, spectrum, tables, step_nm);
+    const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, step_nm);
 
-    const auto below = static_cast<int>(std::ceil((conical + beam.alphaIn) * perU)) + 1;
-    const auto above = static_cast<int>(std::ceil((conical - beam.alphaIn) * perU)) + 1;
+    const auto below = static_cast<int>(std::ceil((conical + lit.alphaIn) * perU)) + 1;
+    const auto above = static_cast<int>(std::ceil((conical - lit.alphaIn) * perU)) + 1;
     const auto entries = static_cast<device::uint>(below + above + 1);
     SlitResponse out{-below / perU, perU, entries, {}};
     const std::size_t perTable = std::size_t{6} * entries;
@@ -182,33 +194,68 @@ SlitResponse slitResponse(const optics::Slits& slits, const SlitBeam& beam, cons
     // The undeviated beam is followed by the device as far as this; the rest of it is in the response.
     const double lastLobe = double{device::ZERO_ORDER_LOBES} * 1e-3 * optics::kLongestVisible_nm / extent_um;
 
-    // The response depends on |u| alone.
-    Accumulator sums(reflectances);
-    for (int entry = 0; entry <= std::max(below, above); ++entry) {
-        const double u = entry / perU;
-        sums.clear();
-        for (const Bin& bin : bins) {
-            const double perTurn = u / bin.wavelength_um;
-            double value = bin.weight * sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
+    // Per unit of u, of an amplitude grating; it depends on |u| alone.
+    const auto amplitudeGrating = [&](const Bin& bin, double u) {
+        const double perTurn = u / bin.wavelength_um;
+        const double oneSlit = sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
+        if (zeroOrder) return oneSlit * count * fejer(count, period_um * perTurn);
+        const double half_um = 5e-4 * step_nm;
+        const double t1 = period_um * u / (bin.wavelength_um + half_um);
+        const double t2 = period_um * u / (bin.wavelength_um - half_um);
+        if (t2 - t1 < 1e-9) return 0.0;  // at u = 0 nothing but the zero order
+        return oneSlit * diffractedShare(count, t1, t2, u > lastLobe) / (t2 - t1);
+    };
+    const auto givenOrders = [&](const Bin& bin, double u) {
+        double sum = 0.0;
+        const double t = period_um * u / bin.wavelength_um;
+        const double width = std::max(std::abs(t) * 1e-3 * step_nm / bin.wavelength_um, 1e-9);
+        for (std::size_t i = 0; i < lit.orders.size(); ++i) {
+            const int order = lit.orders[i].order;
             if (zeroOrder) {
-                value *= count * fejer(count, period_um * perTurn);
-            } else {
-                const double half_um = 5e-4 * step_nm;
-                const double t1 = period_um * u / (bin.wavelength_um + half_um);
-                const double t2 = period_um * u / (bin.wavelength_um - half_um);
-                if (t2 - t1 < 1e-9) continue;  // at u = 0 nothing but the zero order
-                value *= diffractedShare(count, t1, t2, u > lastLobe) / (t2 - t1);
+                sum += bin.orders[i] * count * sincSquared(count * (t - order));
+            } else if (order != 0 || std::abs(u) > lastLobe) {
+                sum += bin.orders[i] / width *
+                       (sincSquaredIntegral()(count * (t + 0.5 * width - order)) -
+                        sincSquaredIntegral()(count * (t - 0.5 * width - order)));
             }
-            sums.add(bin, value);
         }
+        return sum * period_um / bin.wavelength_um;
+    };
+
+    const auto storeAll = [&](int entry, const Accumulator& sums) {
         for (std::size_t r = 0; r < reflectances; ++r) {
             for (std::size_t table = 0; table <= device::SPECTRAL_BANDS; ++table) {
-                const glm::dvec3 color = table == 0 ? sums.total(r) : sums.band(r, table - 1);
-                store(r * (device::SPECTRAL_BANDS + 1) + table, entry, color);
-                store(r * (device::SPECTRAL_BANDS + 1) + table, -entry, color);
+                store(r * (device::SPECTRAL_BANDS + 1) + table, entry,
+                      table == 0 ? sums.total(r) : sums.band(r, table - 1));
             }
         }
+    };
+    const auto writeEntry = [&](int entry, Accumulator& sums) {
+        const double u = entry / perU;
+        if (lit.orders.empty()) {
+            sums.clear();
+            for (const Bin& bin : bins) sums.add(bin, bin.weight * amplitudeGrating(bin, u));
+            storeAll(entry, sums);
+            storeAll(-entry, sums);
+            return;
+        }
+        for (const int side : {1, -1}) {
+            sums.clear();
+            for (const Bin& bin : bins) sums.add(bin, bin.weight * givenOrders(bin, side * u));
+            storeAll(side * entry, sums);
+        }
+    };
+    // Threads take turns, because entries near 0 are quicker. Each writes its own entries.
+    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    std::vector<std::jthread> workers;
+    for (int thread = 0; thread < threads; ++thread) {
+        workers.emplace_back([&, thread] {
+            Accumulator sums(reflectances);
+            for (int entry = thread; entry <= std::max(below, above); entry += threads)
+                writeEntry(entry, sums);
+        });
     }
+    workers.clear();  // waits for them
 
     // Prefix sums, in steps: entry i holds the integral from the first entry to it.
     for (std::size_t table = 0; table < out.values.size() / perTable; ++table) {

@@ -10,15 +10,24 @@
 
 namespace fringe::compile {
 
-struct SlitBeam {
-    double alphaIn;  // direction cosines of the beam, across and along the slits
+// Slits in a beam.
+struct LitSlits {
+    optics::Slits slits;
+    std::vector<scene::OrderEfficiency> orders;  // empty: those of an amplitude grating
+    double alphaIn;                              // direction cosines of the beam, across and along the slits
     double betaIn;
+
+    // Share of what leaves an amplitude grating that is not evanescent; 1 where the orders are given.
+    double propagatingShare(double wavelength_nm) const;
 };
 
 // Power per direction cosine, as the film records it, for one watt that leaves the slits, before the share of
 // it that is evanescent is put back: the entry for u is the integral over wavelength of
 //   S(l) response(l) (N a / (l eta(l))) sinc^2(a u/l) Fej_N(d u/l)
-// with Fej_N = (sin(N pi t) / (N sin(pi t)))^2. Where `zeroOrder` is false its term sinc^2(N t) is left out.
+// with Fej_N = (sin(N pi t) / (N sin(pi t)))^2, or where the orders' efficiencies e_m are given, for one watt
+// that arrives,
+//   S(l) response(l) (N d / l) sum_m e_m(l) sinc^2(N (d u/l - m)).
+// Where `zeroOrder` is false its term sinc^2(N t) is left out.
 struct SlitResponse {
     double firstU;
     double perU;  // entries per unit of u
@@ -28,7 +37,7 @@ struct SlitResponse {
 
 // `tables` must know all reflectances. Interpolating linearly errs by about 2.5e-4 of the highest entry
 // (docs/theory.md, "Tables").
-SlitResponse slitResponse(const optics::Slits& slits, const SlitBeam& beam, const optics::Spectrum& spectrum,
-                          const SpectralTables& tables, bool zeroOrder);
+SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
+                          bool zeroOrder);
 
 }  // namespace fringe::compile

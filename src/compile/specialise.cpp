@@ -64,9 +64,11 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .SLIT_GRATING_COUNT = count(compiled.slitGratings),
         .HAS_SLIT_LINES = anySlits([](const device::SlitGrating& g) { return g.lineCount > 0; }),
         .HAS_SLIT_CONTINUUM = anySlits([](const device::SlitGrating& g) { return g.entries > 0; }),
-        .HAS_WIDE_GRATINGS = anySlits([](const device::SlitGrating& g) { return g.isWide != 0; }),
+        .HAS_WIDE_GRATINGS =
+            anySlits([](const device::SlitGrating& g) { return g.isWide + g.linesAreImages != 0; }),
         .HAS_GAUSSIAN_BEAMS =
             anySlits([](const device::SlitGrating& g) { return g.profile == device::GAUSSIAN_BEAM; }),
+        .HAS_ORDER_SHARES = anySlits([](const device::SlitGrating& g) { return g.orderCount > 0; }),
     };
 }
 

@@ -31,7 +31,7 @@ scene::Scene sceneFile(const std::string& path) {
 image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline) {
     static const gpu::Device device({.selector = wantedDevice(), .validation = true});
     const std::size_t messagesBefore = device.validationMessages().size();
-    const compile::CompiledScene compiled = compile::compileScene(scene);
+    const compile::CompiledScene compiled = compile::compileScene(scene, pipeline.measure);
     device::Specialisation constants = compile::specialise(compiled, scene.camera);
     pipeline.change(constants);
     render::Renderer renderer(device, compiled, constants, pipeline.values);

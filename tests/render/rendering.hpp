@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "compile/interface.hpp"
+#include "compile/compiled_scene.hpp"
 #include "image/image.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
@@ -17,6 +17,7 @@ scene::Scene sceneFile(const std::string& path);
 struct Pipeline {
     render::Values values = render::Values::asConstants;                 // as `fringe render` has it
     std::function<void(device::Specialisation&)> change = [](auto&) {};  // of the constants
+    compile::Measure measure = compile::Measure::color;
 };
 
 // Any message of the validation layer fails the test that runs.

@@ -1,7 +1,8 @@
 // Far fields of apertures, relative to their peak: |A|^2/|A(0)|^2 (M. Born, E. Wolf, "Principles of Optics", 7th ed., 8.5).
 // u, v are the differences of direction cosines, outgoing less incoming, across the slits and along them; lengths come in
 // wavelengths, as (high, low) where one float is too few (phase.glsl, which is included first).
-// The includer defines vec2 apertureVertex(uint index): a polygon's corners about its centroid, in micrometres.
+// The includer defines vec2 apertureVertex(uint first, uint index), a polygon's corners about its centroid, in
+// micrometres, and float maskEntry(uint at), a mask's table.
 
 // sin(pi x)/(pi x) - 1, with all its digits near 0 (coefficients: docs/aperture_coefficients.py).
 float sincLessOne(float x) {
@@ -13,10 +14,6 @@ float sincLessOne(float x) {
 // Few and many slits.
 float slitsPattern(float u, float widthInWaves, vec2 periodInWaves, float count) {
     return slitFactor(u * widthInWaves) * fejer(turnsPastOrder(u, periodInWaves), count);
-}
-
-float rectanglePattern(vec2 uv, vec2 sizeInWaves) {
-    return slitFactor(uv.x * sizeInWaves.x) * slitFactor(uv.y * sizeInWaves.y);
 }
 
 // 2 J1(pi x)/(pi x) for x >= 0: a polynomial, then modulus and phase of the Bessel function (DLMF 10.18), fitted by
@@ -39,47 +36,124 @@ float airyAmplitude(float x) {
     return inverse * sqrt(inverse) * modulus * ((int(roundEven(angle)) & 1) == 0 ? sine : -sine);
 }
 
-float circlePattern(vec2 uv, float diameterInWaves) {
-    float amplitude = airyAmplitude(length(uv) * diameterInWaves);
+// Of round openings at x = diameter * frequency.
+float circlePattern(float x) {
+    float amplitude = airyAmplitude(x);
     return amplitude * amplitude;
 }
 
 // `inner`: the hole's diameter over the ring's. The difference of two discs: error 5e-7/(1 - inner^2).
-float ringPattern(vec2 uv, float diameterInWaves, float inner) {
-    float x = length(uv) * diameterInWaves;
+float ringPattern(float x, float inner) {
     float share = inner * inner;
     float amplitude = (airyAmplitude(x) - share * airyAmplitude(inner * x)) / (1.0 - share);
     return amplitude * amplitude;
 }
 
-// The polygon of vertices first..first + count - 1 at a frequency of uv/wavelength. By Green's theorem a sum over its
-// edges; 1 is taken from each phase factor, which leaves the sum as it is and keeps its digits near the peak.
-// Error: 3e-7 times perimeter * radius/area, 3 for a disc.
-float polygonPattern(vec2 f_per_um, uint first, uint count, float area_um2) {
-    float square = dot(f_per_um, f_per_um);
-    if (square < 1e-24) return 1.0;                        // under 1e-12 of a turn per um: it would underflow
-    vec2 sum = vec2(0.0);
-    vec2 from = apertureVertex(first + count - 1u);
-    for (uint i = first; i < first + count; ++i) {
-        vec2 to = apertureVertex(i);
-        vec2 edge = to - from;
-        float turns = 0.5 * dot(f_per_um, from + to);
-        float less = sincLessOne(dot(f_per_um, edge));
-        // sin and sin^2 of half the phase, pi turns, and its cosine by a quarter turn: sin(2 x) = 2 sin(x) cos(x)
-        float half_ = turns - roundEven(turns);
-        float sine = half_ * sinPiOverX(half_ * half_);
-        float quarter = 0.5 - abs(half_);
-        float cosine = quarter * sinPiOverX(quarter * quarter);
-        float weight = f_per_um.x * edge.y - f_per_um.y * edge.x;
-        sum += weight * vec2((1.0 + less) * 2.0 * sine * cosine, less - (1.0 + less) * 2.0 * sine * sine);
-        from = to;
-    }
-    vec2 amplitude = sum * (0.159154943 / (square * area_um2));   // 1/(2 pi)
-    return dot(amplitude, amplitude);
+// An edge of a polygon at one direction, before a wavenumber is chosen: turns per wavenumber at its middle and along it,
+// and its weight by Green's theorem (docs/theory.md, "Openings").
+vec3 polygonEdge(vec2 uv, vec2 from, vec2 to) {
+    vec2 edge = to - from;
+    return vec3(0.5 * dot(uv, from + to), dot(uv, edge), uv.x * edge.y - uv.y * edge.x);
 }
 
-// What many cells make of one cell's pattern, their vectors `first` and `second` in wavelengths, (x, y) high and (z, w) low.
-float latticeFactor(vec2 uv, vec4 first, vec4 second, vec2 counts) {
-    return fejer(turnsPastOrder(uv, first.xz, first.yw), counts.x) *
-           fejer(turnsPastOrder(uv, second.xz, second.yw), counts.y);
+// ---- means over fringes: the pattern where these are too fine to be told apart --------------------------------------
+
+float slitMean(float x) { return 1.0 / (1.0 + 19.7392088 * x * x); }            // (sin(pi x)/(pi x))^2, sin^2 by its mean
+float airyMean(float x) { return 1.0 / (1.0 + 24.3522727 * x * x * x); }        // pi^4/4: DLMF 10.17.3
+float ringMean(float x, float inner) {
+    float share = inner * inner, narrow = inner * x;
+    return min((airyMean(x) + share * share * airyMean(narrow)) / ((1.0 - share) * (1.0 - share)), 1.0);
+}
+
+// ---- polygons -------------------------------------------------------------------------------------------------------
+
+// What an edge adds to the amplitude of a polygon, times 2 pi i wavenumber |uv|^2. 1 is taken from each phase factor,
+// which leaves the sum over a closed outline as it is and keeps its digits near the peak. `power` gets its square.
+vec2 edgeWave(vec3 edge, float wavenumber, inout float power) {
+    float turns = edge.x * wavenumber;
+    float less = sincLessOne(edge.y * wavenumber);
+    // sin and sin^2 of half the phase, pi turns, and its cosine by a quarter turn: sin(2 x) = 2 sin(x) cos(x)
+    float half_ = turns - roundEven(turns);
+    float sine = half_ * sinPiOverX(half_ * half_);
+    float quarter = 0.5 - abs(half_);
+    float cosine = quarter * sinPiOverX(quarter * quarter);
+    float amplitude = edge.z * (1.0 + less);
+    power += amplitude * amplitude;
+    return edge.z * vec2((1.0 + less) * 2.0 * sine * cosine, less - (1.0 + less) * 2.0 * sine * sine);
+}
+
+// Half of what an edge and the one opposite add where a polygon has a centre of symmetry: the wave is real then, and no
+// digits cancel.
+float pairOfEdges(vec3 edge, float wavenumber, inout float power) {
+    float halfTurns = 2.0 * edge.x * wavenumber, along = edge.y * wavenumber;
+    float whole = roundEven(halfTurns), wholeAlong = roundEven(along);
+    float phase = halfTurns - whole, rest = along - wholeAlong;
+    float ratio = wholeAlong == 0.0 ? 1.0 : rest / along;  // no 0/0
+    float amplitude = edge.z * ratio * sinPiOverX(rest * rest);
+    float value = amplitude * phase * sinPiOverX(phase * phase);
+    int odd = (int(whole) + int(wholeAlong)) & 1;
+    power += 0.5 * amplitude * amplitude;
+    return odd != 0 ? -value : value;
+}
+
+// From the sums over the edges of their waves, and of their powers, which is the mean over fringes; `contrast` says how
+// much of the fringes is left. `scale`: wavenumber |uv|^2 area in um. Error: 3e-7 times perimeter * radius/area, 3 for a
+// disc.
+float polygonIntensity(vec2 sum, float power, float contrast, float scale) {
+    if (scale < 1e-24) return 1.0;                         // so near the peak that it would underflow
+    float perWave = 0.159154943 / scale;                   // 1/(2 pi)
+    vec2 amplitude = perWave * sum;
+    return mix(min(power * perWave * perWave, 1.0), dot(amplitude, amplitude), contrast);
+}
+// pairOfEdges() gives pi / 2 times as much.
+float symmetricPolygonIntensity(float sum, float power, float contrast, float scale) {
+    return polygonIntensity(vec2(0.636619772 * sum, 0.0), 0.405284735 * power, contrast, scale);
+}
+
+// The polygon whose `count` vertices begin at `first`.
+float polygonPattern(vec2 uv, float wavenumber, uint first, uint count, float area_um2, float contrast) {
+    vec2 sum = vec2(0.0);
+    float power = 0.0;
+    vec2 from = apertureVertex(first, count - 1u);
+    for (uint i = 0u; i < count; ++i) {
+        vec2 to = apertureVertex(first, i);
+        sum += edgeWave(polygonEdge(uv, from, to), wavenumber, power);
+        from = to;
+    }
+    return polygonIntensity(sum, power, contrast, wavenumber * dot(uv, uv) * area_um2);
+}
+
+// How much longer the way from one cell of a lattice is than from the next, `step_um` away: (high, low), in micrometres,
+// which times the wavenumber is turns. `step_um` is (x, y) high and (x, y) low.
+vec2 wayPerCell(vec2 uv, vec4 step_um) {
+    precise float x = uv.x * step_um.x, y = uv.y * step_um.y;
+    precise float xLow = productError(uv.x, step_um.x, x) + uv.x * step_um.z;
+    precise float yLow = productError(uv.y, step_um.y, y) + uv.y * step_um.w;
+    return sumOfTwo(vec2(x, xLow), vec2(y, yLow));
+}
+
+// The four cubic B-splines around a point `t` behind the second.
+vec4 splineWeights(float t) {
+    float s = 1.0 - t;
+    return vec4(s * s * s, 4.0 + t * t * (3.0 * t - 6.0), 4.0 + s * s * (3.0 * s - 6.0), t * t * t) * 0.166666667;
+}
+
+// A mask by the table of src/optics/mask_spectrum.hpp, half of its plane (the other half is its mirror image): entry
+// (i, j) is at first + (j + 1) (columns / 2 + 4) + i + 1, from one before the first to two past the last.
+float maskPattern(vec2 f_per_um, uint first, vec2 tableSize, float pixel_um) {
+    vec2 inPixels = f_per_um * pixel_um;
+    vec2 place = vec2(inPixels.x, -inPixels.y);            // rows run down, y up
+    place = (place - roundEven(place)) * tableSize;        // one period
+    if (place.x < 0.0) place = -place;
+    if (place.y < 0.0) place.y += tableSize.y;
+    vec2 whole = floor(place);
+    vec4 across = splineWeights(place.x - whole.x), down = splineWeights(place.y - whole.y);
+    uint stride = uint(tableSize.x) / 2u + 4u;
+    uint at = first + uint(whole.y) * stride + uint(whole.x);
+    float sum = 0.0;
+    for (uint j = 0u; j < 4u; ++j) {
+        sum += down[j] * dot(across, vec4(maskEntry(at), maskEntry(at + 1u), maskEntry(at + 2u), maskEntry(at + 3u)));
+        at += stride;
+    }
+    return sum * slitFactor(inPixels.x) * slitFactor(inPixels.y);
 }

@@ -22,6 +22,7 @@ layout(scalar, set = 0, binding = 11) readonly buffer LightBlock { Light lights[
 layout(scalar, set = 0, binding = 12) readonly buffer GratingBlock { ThesisGrating gratings[]; };
 layout(scalar, set = 0, binding = 13) readonly buffer SlitGratingBlock { SlitGrating slitGratings[]; };
 layout(scalar, set = 0, binding = 14) readonly buffer TableBlock { float tables[]; };
+layout(scalar, set = 0, binding = 15) readonly buffer OpeningGratingBlock { OpeningGrating openingGratings[]; };
 
 // TypeAt(i): element i of a kind, from where it lies. Among few it is selected, not addressed: i mostly differs from
 // invocation to invocation, and an address that does is loaded lane by lane on a CPU.
@@ -46,6 +47,7 @@ ELEMENT_AT(Material, materialAt, MATERIAL_COUNT, materials)
 ELEMENT_AT(Light, lightAt, LIGHT_COUNT, lights)
 ELEMENT_AT(ThesisGrating, gratingAt, GRATING_COUNT, gratings)
 ELEMENT_AT(SlitGrating, slitGratingAt, SLIT_GRATING_COUNT, slitGratings)
+ELEMENT_AT(OpeningGrating, openingGratingAt, OPENING_GRATING_COUNT, openingGratings)
 
 // The same value, but not to be seen as a uniform. Use it wherever a value of the scene block alone decides an if: for
 // such values lavapipe 22.3 may compile the shader again at every dispatch (half a second each).
@@ -53,6 +55,7 @@ uint decided(uint value) { return value ^ (gl_NumWorkGroups.x >> 31); }
 
 uint lightCount() { return LIGHT_COUNT <= FEW ? LIGHT_COUNT : uint(lights.length()); }
 uint slitGratingCount() { return SLIT_GRATING_COUNT <= FEW ? SLIT_GRATING_COUNT : uint(slitGratings.length()); }
+uint openingGratingCount() { return OPENING_GRATING_COUNT <= FEW ? OPENING_GRATING_COUNT : uint(openingGratings.length()); }
 uint gratingCount() { return GRATING_COUNT <= FEW ? GRATING_COUNT : uint(gratings.length()); }
 
 vec3 tableColor(uint at) { return vec3(tables[at], tables[at + 1u], tables[at + 2u]); }

@@ -196,6 +196,46 @@ struct SlitGrating {
     uint zeroOrderCount;
 };
 
+const uint RECTANGULAR_OPENING = 1u;
+const uint CIRCULAR_OPENING = 2u;
+const uint RING_OPENING = 3u;
+const uint POLYGONAL_OPENING = 4u;
+const uint SYMMETRIC_OPENING = 5u;   // a polygon of at most 2 FEW_EDGES edges with a centre of symmetry
+const uint MASK_OPENING = 6u;
+const uint FEW_EDGES = 8u;           // that an invocation keeps at hand
+
+// Any other opening in a beam, or a lattice of them; its frame is that of slits.
+struct OpeningGrating {
+    vec3 position;
+    vec3 across;
+    vec3 along;
+    vec3 normal;
+    vec2 incoming;       // direction cosines of the beam, across and along
+    float convergence;   // 1 / distance of the beam's focus; 0 for a collimated beam
+    uint opening;
+    vec2 size_um;        // width, height | diameter, - | diameter, inner over outer | area in um^2, - | mask: its table's
+    float pixel_um;      // of a mask
+    uint table;          // in the tables: a polygon's vertices in um, a mask's spectrum
+    uint edgeCount;      // of a polygon, or of its half
+    float extent_um;     // diameter of a polygon
+    uint isLattice;
+    vec4 first_um;       // from cell to cell: (x, y) rounded, and what that leaves out
+    vec4 second_um;
+    vec2 counts;         // of cells
+    float wavenumberStep;  // of the continuous spectrum, per um
+    float sourceBlur;    // direction cosine between neighbouring points of the source; 0 for one point
+    uint samples;        // in the tables: wavenumber in 1/um and the source's direction; then, for each reflectance, XYZ
+    uint sampleCount;
+};
+
+// An entry of that list. Where a scene has but one opening and grey surfaces, and the list is no longer than
+// FEW_SAMPLES, it is in the uniform block, and the loop over it unrolled.
+struct OpeningSample {
+    float wavenumber;    // per um
+    vec3 color;
+};
+const uint FEW_SAMPLES = 32u;
+
 // Bands that the visible range is cut into where surfaces on a path have colours of their own, and at the edges of a beam.
 // Their weights are hats: 1 in the band's middle, 0 in its neighbours'; the first and last reach to the ends of the range.
 // Where the reflectances of gold and copper climb the middles are 5 nm apart, below 10 nm and above 12.5 nm.
@@ -236,4 +276,6 @@ struct SceneBlock {
     Light lights[FEW];
     ThesisGrating gratings[FEW];
     SlitGrating slitGratings[FEW];
+    OpeningGrating openingGratings[FEW];
+    OpeningSample openingSamples[FEW_SAMPLES];
 };

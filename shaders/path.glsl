@@ -28,8 +28,9 @@ struct Sample {
 uint candidates(uint first, vec3 position) {
     uint lightsHere = lightCount();
     uint bits = 0u;
-    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW &&
-        LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT <= 32u) {      // all in the first 32, at constant places
+    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW && OPENING_GRATING_COUNT <= FEW &&
+        LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT <= 32u) {
+        // All in the first 32, at constant places.
         bits = (1u << LIGHT_COUNT) - 1u;
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
             if (reachesBand(gratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + i);
@@ -37,15 +38,23 @@ uint candidates(uint first, vec3 position) {
         [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
             if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + GRATING_COUNT + i);
         }
+        [[unroll]] for (uint i = 0u; i < OPENING_GRATING_COUNT; ++i) {
+            uint bit = LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT + i;
+            if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << bit;
+        }
     } else {
         uint thesis = lightsHere + gratingCount();
-        uint last = min(thesis + slitGratingCount(), first + 32u);
+        uint slits = thesis + slitGratingCount();
+        uint last = min(slits + openingGratingCount(), first + 32u);
         for (uint i = first; i < min(last, lightsHere); ++i) bits |= 1u << (i - first);
         for (uint i = max(first, lightsHere); i < min(last, thesis); ++i) {
             if (reachesBand(gratingAt(i - lightsHere), position)) bits |= 1u << (i - first);
         }
-        for (uint i = max(first, thesis); i < last; ++i) {
+        for (uint i = max(first, thesis); i < min(last, slits); ++i) {
             if (reachesSlits(slitGratingAt(i - thesis), position)) bits |= 1u << (i - first);
+        }
+        for (uint i = max(first, slits); i < last; ++i) {
+            if (reachesOpening(openingGratingAt(i - slits), position)) bits |= 1u << (i - first);
         }
     }
     return bits;
@@ -59,10 +68,16 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, Material ma
     float distance_;
     vec3 value;
     bool nonFinite = false;
-    if (SLIT_GRATING_COUNT > 0u && i >= lightCount() + gratingCount()) {
+    float pixel = scene.frame.pixelAngle * (path.travelled + travelled) + scene.frame.pixelWidth;
+    if (OPENING_GRATING_COUNT > 0u && i >= lightCount() + gratingCount() + slitGratingCount()) {
+        OpeningGrating grating = openingGratingAt(i - lightCount() - gratingCount() - slitGratingCount());
+        vec3 offset = surface.position - grating.position;
+        value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        distance_ = length(offset);
+        direction = -offset / distance_;
+    } else if (SLIT_GRATING_COUNT > 0u && i >= lightCount() + gratingCount()) {
         SlitGrating grating = slitGratingAt(i - lightCount() - gratingCount());
         vec3 offset = surface.position - grating.position;
-        float pixel = scene.frame.pixelAngle * (path.travelled + travelled) + scene.frame.pixelWidth;
         value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
         vec3 from = grating.position + clamp(viewFrom(grating, offset).footY, -grating.halfHeight, grating.halfHeight) * grating.along;
         direction = from - surface.position;
@@ -95,8 +110,8 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, Material ma
 }
 
 void addDirectLight(Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
-    if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u && SLIT_GRATING_COUNT == 0u) return;
-    uint count = lightCount() + gratingCount() + slitGratingCount();
+    if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u && SLIT_GRATING_COUNT == 0u && OPENING_GRATING_COUNT == 0u) return;
+    uint count = lightCount() + gratingCount() + slitGratingCount() + openingGratingCount();
     for (uint first = 0u; first < count; first += 32u) {
         for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
             addLight(first + uint(findLSB(bits)), surface, normal, travelled, material, path, sample_);

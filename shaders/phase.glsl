@@ -60,23 +60,20 @@ vec2 turnsPastOrder(float u, vec2 perUnit) {
     return vec2(high, low);
 }
 
-// The same of a scalar product, u.x * (x.high + x.low) + u.y * (y.high + y.low) turns.
-vec2 turnsPastOrder(vec2 u, vec2 perX, vec2 perY) {
-    vec2 x = turnsPastOrder(u.x, perX), y = turnsPastOrder(u.y, perY);
-    precise float sum = x.x + y.x;
-    precise float rounded = sum - x.x;
-    precise float low = ((x.x - (sum - rounded)) + (y.x - rounded)) + (x.y + y.y);   // D. E. Knuth's exact sum
-    precise float high = sum - roundEven(sum);
+// The sum of two such numbers (D. E. Knuth, "The Art of Computer Programming", vol. 2, 4.2.2).
+vec2 sumOfTwo(vec2 a, vec2 b) {
+    precise float high = a.x + b.x;
+    precise float rounded = high - a.x;
+    precise float low = ((a.x - (high - rounded)) + (b.x - rounded)) + (a.y + b.y);
     return vec2(high, low);
 }
 
 // N slits relative to their peak, (sin(N pi t)/(N sin(pi t)))^2, at `past` turns past an order; below 1e-6 off for N up
 // to 10^6.
 float fejer(vec2 past, float count) {
-    precise float r = past.x + past.y;
-    precise float rLow = 0.0;
+    precise float r = past.x + past.y;                     // its rounding is a share of r, as harmless as in the quotient
     precise float p = count * r;
-    precise float reduced = (p - roundEven(p)) + (productError(count, r, p) + count * rLow);
+    precise float reduced = (p - roundEven(p)) + productError(count, r, p);
     float quotient = abs(p) <= 0.5 ? 1.0 : reduced / p;    // r cancels near an order: no 0/0
     quotient *= sinPiOverX(reduced * reduced) / sinPiOverX(r * r);
     return quotient * quotient;

@@ -14,6 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "materials.glsl"
 #include "lights.glsl"
 #include "slits.glsl"
+#include "opening_lights.glsl"
 #include "path.glsl"
 #include "camera.glsl"
 

@@ -8,6 +8,7 @@
 #include "compile/casters.hpp"
 #include "compile/compiled_scene.hpp"
 #include "compile/gratings.hpp"
+#include "compile/openings.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -282,6 +283,8 @@ struct LightCompiler {
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
             out.slitGratings.push_back(compileSlits(l, *slits, light.spectrum, tables, out.tables));
+        } else {
+            out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, out.tables));
         }
     }
 
@@ -362,6 +365,22 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
         grating.zeroOrder += shift;
         grating.shares += shift;
     }
+    for (device::OpeningGrating& grating : out.openingGratings) {
+        grating.table += shift;
+        grating.samples += shift;
+    }
+}
+
+// A single opening's spectrum where every surface sees the same one: then the device need not look it up.
+void takeSamplesAtHand(CompiledScene& out) {
+    if (out.openingGratings.size() != 1 || out.frame.reflectanceCount != 1) return;
+    const device::OpeningGrating& grating = out.openingGratings.front();
+    if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F) return;
+    for (device::uint i = 0; i < grating.sampleCount; ++i) {
+        const float* color = &out.tables[grating.samples + 3 * grating.sampleCount + 3 * i];
+        out.openingSamples.push_back(
+            {out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});
+    }
 }
 
 template <class Element>
@@ -397,6 +416,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     for (const scene::Light& light : scene.lights) std::visit(LightCompiler{light, tables, out}, light.model);
     addShapes(scene, firstLightMaterial, out);
     addColors(tables, out);
+    takeSamplesAtHand(out);
     return out;
 }
 
@@ -415,6 +435,8 @@ device::SceneBlock sceneBlock(const CompiledScene& scene) {
     copyFew(scene.lights, block.lights);
     copyFew(scene.gratings, block.gratings);
     copyFew(scene.slitGratings, block.slitGratings);
+    copyFew(scene.openingGratings, block.openingGratings);
+    std::copy(scene.openingSamples.begin(), scene.openingSamples.end(), block.openingSamples);
     return block;
 }
 

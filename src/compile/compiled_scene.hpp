@@ -28,6 +28,8 @@ struct CompiledScene {
     std::vector<device::Light> lights;
     std::vector<device::ThesisGrating> gratings;
     std::vector<device::SlitGrating> slitGratings;
+    std::vector<device::OpeningGrating> openingGratings;
+    std::vector<device::OpeningSample> openingSamples;  // if it fits in the uniform block
     bool inBands = false;       // paths carry spectral bands: there are metals
     std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
 };

@@ -4,12 +4,16 @@
 
 #include <compare>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <type_traits>
 
 namespace fringe::device {
 
+using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 using uint = std::uint32_t;
 
 #include "../../shaders/interface.h"
@@ -22,6 +26,7 @@ static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
 static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 148);
+static_assert(sizeof(OpeningGrating) == 148 && sizeof(OpeningSample) == 16);
 static_assert(std::is_trivially_copyable_v<Frame> && std::is_trivially_copyable_v<Light>);
 
 // Constants compiled into the pipeline; equal values mean the same pipeline.

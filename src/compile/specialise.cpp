@@ -28,6 +28,20 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         return static_cast<device::uint>(
             std::any_of(compiled.slitGratings.begin(), compiled.slitGratings.end(), has));
     };
+    const auto anyOpening = [&](auto has) {
+        return static_cast<device::uint>(
+            std::any_of(compiled.openingGratings.begin(), compiled.openingGratings.end(), has));
+    };
+    const auto anyOpeningOf = [&](device::uint opening) {
+        return anyOpening([opening](const device::OpeningGrating& g) { return g.opening == opening; });
+    };
+    // Of the polygons of a kind; FEW_EDGES + 1 if one has more than FEW_EDGES.
+    const auto mostEdges = [&](device::uint opening) {
+        device::uint most = 0;
+        for (const device::OpeningGrating& grating : compiled.openingGratings)
+            if (grating.opening == opening) most = std::max(most, grating.edgeCount);
+        return std::min(most, device::FEW_EDGES + 1);
+    };
     return {
         .PLANE_COUNT = count(compiled.planes),
         .RECTANGLE_COUNT = count(compiled.rectangles),
@@ -69,6 +83,18 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_GAUSSIAN_BEAMS =
             anySlits([](const device::SlitGrating& g) { return g.profile == device::GAUSSIAN_BEAM; }),
         .HAS_ORDER_SHARES = anySlits([](const device::SlitGrating& g) { return g.orderCount > 0; }),
+        .OPENING_GRATING_COUNT = count(compiled.openingGratings),
+        .HAS_RECTANGULAR_OPENINGS = anyOpeningOf(device::RECTANGULAR_OPENING),
+        .HAS_CIRCULAR_OPENINGS = anyOpeningOf(device::CIRCULAR_OPENING),
+        .HAS_RING_OPENINGS = anyOpeningOf(device::RING_OPENING),
+        .HAS_POLYGONAL_OPENINGS = anyOpeningOf(device::POLYGONAL_OPENING),
+        .HAS_MASK_OPENINGS = anyOpeningOf(device::MASK_OPENING),
+        .HAS_LATTICES = anyOpening([](const device::OpeningGrating& g) { return g.isLattice != 0; }),
+        .HAS_WIDE_SOURCES = anyOpening([](const device::OpeningGrating& g) { return g.sourceBlur > 0.0F; }),
+        .HAS_SYMMETRIC_OPENINGS = anyOpeningOf(device::SYMMETRIC_OPENING),
+        .POLYGON_EDGES = mostEdges(device::POLYGONAL_OPENING),
+        .SYMMETRIC_EDGES = mostEdges(device::SYMMETRIC_OPENING),
+        .SAMPLES_AT_HAND = static_cast<device::uint>(compiled.openingSamples.size()),
     };
 }
 

@@ -70,6 +70,7 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addMany("gratings", scene.gratings);
     builder.addMany("gratings", scene.slitGratings);
     builder.addAll("table entries", scene.tables);
+    builder.addMany("gratings", scene.openingGratings);
     return builder.take();
 }
 

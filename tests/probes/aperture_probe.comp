@@ -10,21 +10,33 @@ layout(scalar, set = 0, binding = 0) readonly buffer Parameters { float paramete
 layout(scalar, set = 0, binding = 1) readonly buffer Directions { vec2 directions[]; };
 layout(scalar, set = 0, binding = 2) writeonly buffer Results { float results[]; };
 
-vec2 apertureVertex(uint index) { return vec2(parameters[2u * index], parameters[2u * index + 1u]); }
+vec2 apertureVertex(uint first, uint index) { return vec2(parameters[first + 2u * index], parameters[first + 2u * index + 1u]); }
+float maskEntry(uint at) { return parameters[at]; }
 
 #include "phase.glsl"
 #include "apertures.glsl"
 
 vec2 pair(uint at) { return vec2(parameters[at], parameters[at + 1u]); }
 
+float symmetricPattern(vec2 uv) {
+    float sum = 0.0, power = 0.0;
+    for (uint i = 0u; i < uint(parameters.length()) / 2u - 2u; ++i)
+        sum += pairOfEdges(polygonEdge(uv, apertureVertex(2u, i), apertureVertex(2u, i + 1u)), parameters[0], power);
+    return symmetricPolygonIntensity(sum, power, 1.0, parameters[0] * dot(uv, uv) * parameters[1]);
+}
+
 float pattern(vec2 uv) {
     if (PATTERN == 0u) return productError(uv.x, uv.y, uv.x * uv.y);
     if (PATTERN == 1u) return slitsPattern(uv.x, parameters[0], pair(1u), parameters[3]);
-    if (PATTERN == 2u) return rectanglePattern(uv, pair(0u));
-    if (PATTERN == 3u) return circlePattern(uv, parameters[0]);
-    if (PATTERN == 4u) return ringPattern(uv, parameters[0], parameters[1]);
-    if (PATTERN == 5u) return polygonPattern(uv * parameters[0], 1u, uint(parameters.length() / 2 - 1), parameters[1]);
-    return latticeFactor(uv, vec4(pair(0u), pair(2u)), vec4(pair(4u), pair(6u)), pair(8u));
+    if (PATTERN == 2u) return slitFactor(uv.x * parameters[0]) * slitFactor(uv.y * parameters[1]);
+    if (PATTERN == 3u) return circlePattern(length(uv) * parameters[0]);
+    if (PATTERN == 4u) return ringPattern(length(uv) * parameters[0], parameters[1]);
+    if (PATTERN == 5u) return polygonPattern(uv, parameters[0], 2u, uint(parameters.length() / 2 - 1), parameters[1], 1.0);
+    if (PATTERN == 8u) return symmetricPattern(uv);
+    if (PATTERN == 7u) return maskPattern(uv * parameters[0], 4u, pair(1u), parameters[3]);
+    float first = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(1u), pair(3u)))), parameters[9]);
+    float second = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(5u), pair(7u)))), parameters[10]);
+    return first * second;
 }
 
 void main() {

@@ -9,13 +9,15 @@
 namespace fringe::testing {
 
 enum class Probe : std::uint32_t {
-    productError,  // of u * v
-    slits,         // width, period (high, low), count
-    rectangle,     // width, height
-    circle,        // diameter
-    ring,          // diameter, inner share
-    polygon,       // 1/wavelength, area, vertices
-    lattice,       // first (x, y high, x, y low), second, counts
+    productError,      // of u * v
+    slits,             // width, period (high, low), count
+    rectangle,         // width, height
+    circle,            // diameter
+    ring,              // diameter, inner share
+    polygon,           // 1/wavelength, area, vertices
+    lattice,           // 1/wavelength, first (x, y high, x, y low), second, counts
+    mask,              // 1/wavelength, table size, pixel, table
+    symmetricPolygon,  // 1/wavelength, area, half of the vertices and the next
 };
 
 // On the device that FRINGE_DEVICE names, or the best, under the validation layer: any message fails the

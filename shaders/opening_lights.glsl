@@ -1,0 +1,215 @@
+// Light from a small opening of any shape, at any distance where its far field holds (docs/theory.md, "Openings"): the
+// radiant intensity is power * gamma * |A|^2 / (wavelength^2 * area * share), and falls off with the squared distance.
+// A spectrum is a list of wavenumbers whose colours hold all but the pattern (src/compile/openings.hpp).
+
+vec2 apertureVertex(uint first, uint index) { return vec2(tables[first + 2u * index], tables[first + 2u * index + 1u]); }
+float maskEntry(uint at) { return tables[at]; }
+const float MIDDLE_WAVENUMBER = 1.0 / 0.55;   // turns per micrometre
+
+#include "apertures.glsl"
+
+// A point as an opening sees it.
+struct OpeningView {
+    vec2 uv;             // change of the direction cosines
+    mat2 perPixel;       // how much they change across the sample's share of a pixel
+    float geometry;      // 1 / m^2: obliquity, the receiver's cosine, inverse square
+    float nearness;      // 1 / distance
+};
+
+bool reachesOpening(OpeningGrating g, vec3 position) { return dot(position - g.position, g.normal) > 0.0; }
+
+OpeningView viewFromOpening(OpeningGrating g, vec3 offset, vec3 normal, vec3 view, float pixel) {
+    float inverse = inversesqrt(dot(offset, offset));
+    vec3 direction = offset * inverse;
+    vec2 out_ = vec2(dot(direction, g.across), dot(direction, g.along));
+    OpeningView v;
+    v.uv = out_ - g.incoming;
+    v.nearness = inverse;
+    v.geometry = max(dot(direction, g.normal), 0.0) * max(-dot(direction, normal), 0.0) * inverse * inverse;
+    vec3 t, b;
+    completeFrame(view, t, b);
+    float scale = pixel * inverse;
+    vec3 alphaGradient = scale * (g.across - out_.x * direction), betaGradient = scale * (g.along - out_.y * direction);
+    float perDepth = 1.0 / dot(normal, view);
+    vec3 right = t - (dot(normal, t) * perDepth) * view, up = b - (dot(normal, b) * perDepth) * view;
+    v.perPixel = mat2(dot(alphaGradient, right), dot(betaGradient, right), dot(alphaGradient, up), dot(betaGradient, up));
+    return v;
+}
+
+// A row of N cells has peaks of width 1/N in turns. Where that is finer than a pixel, than the step from a wavenumber to
+// the next or than the source, or where orders are images of the row (its near field), they become boxes as wide as all of
+// these together, softened by another pixel, so that pixels however turned sum up to the same power.
+struct LatticeRow {
+    vec2 way_um;         // wayPerCell()
+    float count;
+    float image_um;      // width in the difference of the ways, which times the wavenumber is turns
+    float blur;          // turns, of all but the image
+    float pixel;         // turns
+    float isMerged;      // 0 to 1
+    float shear;         // of the trapezoid, along the other row
+};
+struct Lattice {
+    LatticeRow first;
+    LatticeRow second;
+    float area;          // of a cell sheared so, over that of the rectangle
+};
+
+LatticeRow latticeRow(OpeningGrating g, OpeningView v, vec4 step_um, float count) {
+    LatticeRow row;
+    row.way_um = wayPerCell(v.uv, step_um);
+    row.count = count;
+    vec2 perPixel_um = abs(step_um.xy * v.perPixel);
+    row.pixel = min((perPixel_um.x + perPixel_um.y) * MIDDLE_WAVENUMBER, 0.5);
+    float source_um = g.sourceBlur * (abs(step_um.x) + abs(step_um.y));
+    float blur = source_um * MIDDLE_WAVENUMBER + abs(row.way_um.x) * g.wavenumberStep;
+    row.blur = blur + 1.0 / count + row.pixel;
+    row.image_um = dot(step_um.xy, step_um.xy) * count * 1e-6 * abs(v.nearness - g.convergence);
+    row.isMerged = smoothstep(0.5, 1.0, max(row.image_um * MIDDLE_WAVENUMBER + blur, row.pixel) * count);
+    return row;
+}
+
+Lattice latticeOf(OpeningGrating g, OpeningView v) {
+    Lattice lattice;
+    lattice.first = latticeRow(g, v, g.first_um, g.counts.x);
+    lattice.second = latticeRow(g, v, g.second_um, g.counts.y);
+    // Turns along a row that is not square to the other change along that other as well.
+    float square1 = dot(g.first_um.xy, g.first_um.xy), square2 = dot(g.second_um.xy, g.second_um.xy);
+    float product = dot(g.first_um.xy, g.second_um.xy);
+    lattice.first.shear = lattice.second.isMerged * product / square2;
+    lattice.second.shear = lattice.first.isMerged * product / square1;
+    lattice.area = 1.0 - lattice.first.shear * lattice.second.shear;
+    lattice.first.image_um *= 1.0 - lattice.first.shear * product / square1;
+    lattice.second.image_um *= 1.0 - lattice.second.shear * product / square2;
+    return lattice;
+}
+
+// `past`: turns past an order.
+float rowFactor(LatticeRow row, vec2 past, float pastOther, float wavenumber) {
+    float wide = min(row.image_um * wavenumber + row.blur, 0.5), narrow = min(row.pixel, wide);
+    float place = abs(past.x + past.y - row.shear * pastOther);
+    float inside = clamp((0.5 * (wide + narrow) - place) / max(narrow, 0.01 * wide), 0.0, 1.0);
+    return mix(fejer(past, row.count), inside / (wide * row.count), row.isMerged);
+}
+
+float latticeFactor(OpeningGrating g, Lattice lattice, vec2 shift, float wavenumber) {
+    vec2 way1 = lattice.first.way_um, way2 = lattice.second.way_um;
+    if (HAS_WIDE_SOURCES != 0u) {
+        way1.x -= dot(shift, g.first_um.xy);
+        way2.x -= dot(shift, g.second_um.xy);
+    }
+    vec2 past1 = turnsPastOrder(wavenumber, way1), past2 = turnsPastOrder(wavenumber, way2);
+    return lattice.area * rowFactor(lattice.first, past1, past2.x + past2.y, wavenumber) *
+           rowFactor(lattice.second, past2, past1.x + past1.y, wavenumber);
+}
+
+// A polygon's first vertices, loaded once for all wavenumbers.
+struct Outline {
+    vec2 vertices[FEW_EDGES + 1u];
+};
+
+Outline outlineOf(OpeningGrating g) {
+    Outline outline;
+    uint last = g.opening == SYMMETRIC_OPENING ? g.edgeCount : g.edgeCount - 1u;
+    [[unroll]] for (uint i = 0u; i <= FEW_EDGES; ++i) {
+        // Past the end the last again: edges without length.
+        if (i <= max(POLYGON_EDGES, SYMMETRIC_EDGES)) outline.vertices[i] = apertureVertex(g.table, min(i, last));
+    }
+    return outline;
+}
+
+// What is left of the fringes that two points of the opening make, `apart_um` from each other: they fade before they turn
+// by half from one wavenumber of the list to the next, or from a pixel to the next, and would come back as an alias.
+float fringeContrast(OpeningGrating g, OpeningView v, vec2 apart_um) {
+    float perStep = abs(dot(apart_um, v.uv)) * g.wavenumberStep;
+    float perPixel = length(apart_um * v.perPixel) * MIDDLE_WAVENUMBER;
+    return (1.0 - smoothstep(0.3, 0.5, perStep)) * (1.0 - smoothstep(0.3, 0.6, perPixel));
+}
+
+// Of the widest points of an opening in the direction of its fringes; of a rectangle, for either of its sides.
+vec2 fringeContrasts(OpeningGrating g, uint opening, OpeningView v) {
+    if (opening == RECTANGULAR_OPENING) {
+        return vec2(fringeContrast(g, v, vec2(g.size_um.x, 0.0)), fringeContrast(g, v, vec2(0.0, g.size_um.y)));
+    }
+    float extent_um = opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING ? g.extent_um : g.size_um.x;
+    return vec2(fringeContrast(g, v, extent_um * v.uv * inversesqrt(max(dot(v.uv, v.uv), 1e-30))));
+}
+
+// Relative to the peak.
+float openingPattern(OpeningGrating g, uint opening, Outline outline, vec2 contrast, vec2 uv, float wavenumber) {
+    vec2 f_per_um = uv * wavenumber;
+    if (opening == RECTANGULAR_OPENING) {
+        vec2 x = f_per_um * g.size_um;
+        return mix(slitMean(x.x), slitFactor(x.x), contrast.x) * mix(slitMean(x.y), slitFactor(x.y), contrast.y);
+    }
+    if (opening == CIRCULAR_OPENING || opening == RING_OPENING) {
+        float x = length(f_per_um) * g.size_um.x;
+        if (opening == CIRCULAR_OPENING) return mix(airyMean(x), circlePattern(x), contrast.x);
+        return mix(ringMean(x, g.size_um.y), ringPattern(x, g.size_um.y), contrast.x);
+    }
+    if (opening == MASK_OPENING) return maskPattern(f_per_um, g.table, g.size_um, g.pixel_um);
+    float scale = wavenumber * dot(uv, uv) * g.size_um.x;
+    float power = 0.0;
+    if (opening == SYMMETRIC_OPENING) {
+        float sum = 0.0;
+        [[unroll]] for (uint i = 0u; i < SYMMETRIC_EDGES; ++i)
+            sum += pairOfEdges(polygonEdge(uv, outline.vertices[i], outline.vertices[i + 1u]), wavenumber, power);
+        return symmetricPolygonIntensity(sum, power, contrast.x, scale);
+    }
+    if (POLYGON_EDGES > FEW_EDGES) return polygonPattern(uv, wavenumber, g.table, g.edgeCount, g.size_um.x, contrast.x);
+    vec2 sum = vec2(0.0);
+    [[unroll]] for (uint i = 0u; i < POLYGON_EDGES; ++i) {
+        vec2 to = i + 1u < POLYGON_EDGES ? outline.vertices[i + 1u] : outline.vertices[0];
+        sum += edgeWave(polygonEdge(uv, outline.vertices[i], to), wavenumber, power);
+    }
+    return polygonIntensity(sum, power, contrast.x, scale);
+}
+
+// Sum over the first `count` entries of the list; `count` is 0 where the opening is another one.
+vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance, Throughput throughput) {
+    Outline outline;
+    if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
+    vec2 contrast = fringeContrasts(g, opening, v);
+    bool isLattice = HAS_LATTICES != 0u && decided(g.isLattice) != 0u;
+    Lattice lattice;
+    if (HAS_LATTICES != 0u) lattice = latticeOf(g, v);
+    vec3 sum = vec3(0.0);
+    if (SAMPLES_AT_HAND != 0u) {
+        [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
+            OpeningSample sample_ = scene.openingSamples[i];
+            float pattern = openingPattern(g, opening, outline, contrast, v.uv, sample_.wavenumber);
+            if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
+            sum += pattern * throughputAt(throughput, 1.0 / sample_.wavenumber) * sample_.color;
+        }
+        return sum;
+    }
+    uint colors = g.samples + 3u * g.sampleCount * (1u + reflectance);
+    for (uint i = 0u; i < count; ++i) {
+        uint at = g.samples + 3u * i;
+        float wavenumber = tables[at];
+        vec2 shift = vec2(0.0);
+        if (HAS_WIDE_SOURCES != 0u) shift = vec2(tables[at + 1u], tables[at + 2u]);
+        float pattern = openingPattern(g, opening, outline, contrast, v.uv - shift, wavenumber);
+        if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
+        sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);
+    }
+    return sum;
+}
+
+// As slitGratingValue().
+vec3 openingGratingValue(OpeningGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance,
+                         Throughput throughput) {
+    OpeningView v = viewFromOpening(g, offset, normal, view, pixel);
+    uint kind = decided(g.opening);
+    vec3 sum = vec3(0.0);
+    // A loop of no turns is left out where an `if` would not be (path.glsl).
+#define ADD_OPENING(KIND, HAS)                                                                                          \
+    if (HAS != 0u) sum += sumOverWavenumbers(g, KIND, kind == KIND ? g.sampleCount : 0u, v, reflectance, throughput);
+    ADD_OPENING(RECTANGULAR_OPENING, HAS_RECTANGULAR_OPENINGS)
+    ADD_OPENING(CIRCULAR_OPENING, HAS_CIRCULAR_OPENINGS)
+    ADD_OPENING(RING_OPENING, HAS_RING_OPENINGS)
+    ADD_OPENING(POLYGONAL_OPENING, HAS_POLYGONAL_OPENINGS)
+    ADD_OPENING(SYMMETRIC_OPENING, HAS_SYMMETRIC_OPENINGS)
+    ADD_OPENING(MASK_OPENING, HAS_MASK_OPENINGS)
+#undef ADD_OPENING
+    return v.geometry * sum;
+}

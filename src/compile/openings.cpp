@@ -1,0 +1,352 @@
+#include "compile/openings.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+#include "optics/energy.hpp"
+#include "optics/integrals.hpp"
+#include "optics/mask_spectrum.hpp"
+#include "optics/quadrature.hpp"
+#include "optics/transform.hpp"
+
+namespace fringe::compile {
+namespace {
+
+using namespace units;
+using glm::dvec2;
+using optics::kLongestVisible_nm, optics::kShortestVisible_nm;
+
+float toFloat(double value) {
+    return static_cast<float>(value);
+}
+
+device::uint here(const std::vector<float>& values) {
+    return static_cast<device::uint>(values.size());
+}
+
+// ---- shapes --------------------------------------------------------------------------------------
+
+// Diameter of the circle about the middle that holds the opening, in metres.
+double extentOf(const optics::RectangularAperture& rectangle) {
+    return std::hypot(rectangle.width / m, rectangle.height / m);
+}
+double extentOf(const optics::CircularAperture& circle) {
+    return circle.diameter / m;
+}
+double extentOf(const optics::PolygonalAperture& polygon) {
+    double radius = 0.0;
+    for (const dvec2& vertex : polygon.vertices) radius = std::max(radius, glm::length(vertex));
+    return 2.0 * radius;
+}
+double extentOf(const optics::MaskAperture& mask) {
+    return std::hypot(mask.columns, mask.rows) * (mask.pixel / m);
+}
+
+// Whether every vertex has another one opposite, to 1e-6 of the size.
+bool hasCentre(const optics::PolygonalAperture& polygon) {
+    const std::size_t count = polygon.vertices.size();
+    if (count % 2 != 0) return false;
+    const double tolerance = 1e-6 * extentOf(polygon);
+    for (std::size_t i = 0; i < count / 2; ++i) {
+        if (glm::length(polygon.vertices[i] + polygon.vertices[i + count / 2]) > tolerance) return false;
+    }
+    return true;
+}
+
+// Fills in what of the record describes an opening, or a lattice's cell.
+struct OpeningPacker {
+    device::OpeningGrating& packed;
+    std::vector<float>& values;
+
+    void operator()(const optics::RectangularAperture& rectangle) const {
+        packed.opening = device::RECTANGULAR_OPENING;
+        packed.size_um = {toFloat(rectangle.width / um), toFloat(rectangle.height / um)};
+    }
+    void operator()(const optics::CircularAperture& circle) const {
+        const double inner = circle.innerDiameter / circle.diameter;
+        packed.opening = inner > 0.0 ? device::RING_OPENING : device::CIRCULAR_OPENING;
+        packed.size_um = {toFloat(circle.diameter / um), toFloat(inner)};
+    }
+    void operator()(const optics::PolygonalAperture& polygon) const {
+        const std::size_t count = polygon.vertices.size();
+        const bool isSymmetric = hasCentre(polygon) && count <= std::size_t{2} * device::FEW_EDGES;
+        packed.opening = isSymmetric ? device::SYMMETRIC_OPENING : device::POLYGONAL_OPENING;
+        packed.size_um = {toFloat(1e12 * optics::area(polygon)), 0.0F};
+        packed.extent_um = toFloat(1e6 * extentOf(polygon));
+        packed.table = here(values);
+        packed.edgeCount = static_cast<device::uint>(isSymmetric ? count / 2 : count);
+        for (const dvec2& vertex : polygon.vertices) {
+            values.push_back(toFloat(1e6 * vertex.x));
+            values.push_back(toFloat(1e6 * vertex.y));
+        }
+    }
+};
+
+device::vec4 highAndLow(dvec2 value) {
+    const device::vec2 high(value);
+    const dvec2 low = value - dvec2(high);
+    return {high.x, high.y, toFloat(low.x), toFloat(low.y)};
+}
+
+void packLattice(const optics::LatticeAperture& lattice, device::OpeningGrating& packed) {
+    packed.isLattice = 1;
+    packed.first_um = highAndLow(1e6 * lattice.first);
+    packed.second_um = highAndLow(1e6 * lattice.second);
+    packed.counts = {toFloat(lattice.firstCount), toFloat(lattice.secondCount)};
+}
+
+// ---- spectrum ------------------------------------------------------------------------------------
+
+// The share of the power that propagates, linear between even steps of the wavelength, each of them worked
+// out when it is first asked for: it takes milliseconds.
+class Shares {
+public:
+    Shares(double step_nm, std::function<double(Length)> share)
+        : step_nm_(step_nm),
+          share_(std::move(share)),
+          known_(static_cast<std::size_t>((kLongestVisible_nm - kShortestVisible_nm) / step_nm) + 1) {}
+
+    double at(double wavelength_nm) {
+        const double place = std::max(wavelength_nm - kShortestVisible_nm, 0.0) / step_nm_;
+        const auto i = std::min(static_cast<std::size_t>(place), known_.size() - 2);
+        const double below = knot(i);
+        return below + (place - static_cast<double>(i)) * (knot(i + 1) - below);
+    }
+
+private:
+    double knot(std::size_t i) {
+        if (!known_[i]) known_[i] = share_((kShortestVisible_nm + step_nm_ * static_cast<double>(i)) * nm);
+        return *known_[i];
+    }
+
+    double step_nm_;
+    std::function<double(Length)> share_;
+    std::vector<std::optional<double>> known_;
+};
+
+// So that the share is right to 5e-4, and to 3e-3 next to a wavelength at which an order of a fine lattice
+// passes off.
+double shareStep_nm(double cellExtent, bool isLattice) {
+    if (cellExtent >= 5e-6) return 50.0;
+    if (cellExtent >= 3e-6) return 25.0;
+    return isLattice ? 5.0 : 10.0;
+}
+
+// A wavelength: its wavenumber per um, and for each reflectance its colour.
+struct Wave {
+    double wavenumber;
+    std::vector<glm::dvec3> colors;
+};
+
+struct SpectrumPacker {
+    double factor;  // |A(0)|^2 / area times the power
+    Shares& shares;
+    const SpectralTables& tables;
+
+    // What the device is to multiply by the relative pattern.
+    glm::dvec3 color(double wavelength_nm, double power) const {
+        const double wavelength = 1e-9 * wavelength_nm;
+        return factor * power / (wavelength * wavelength * shares.at(wavelength_nm)) *
+               tables.response(0, wavelength_nm);
+    }
+
+    // The continuous spectrum on even steps of the wavenumber, where fringes are even. The colours are such
+    // that the sum is exact for every pattern that is a polynomial of the third degree over four neighbouring
+    // steps.
+    std::vector<Wave> continuum(const optics::Curve& density, const std::vector<double>& wavenumbers) const {
+        const std::vector<optics::Curve>& reflectances = tables.reflectances();
+        std::vector<Wave> waves;
+        for (const double wavenumber : wavenumbers)
+            waves.push_back({wavenumber, std::vector<glm::dvec3>(reflectances.size(), glm::dvec3(0.0))});
+        const double first = wavenumbers.front();
+        const double step = wavenumbers[1] - first;
+        const double last = static_cast<double>(wavenumbers.size()) - 4.0;
+        for (std::size_t row = 0; row < reflectances.size(); ++row) {
+            for (const optics::Node& node : optics::densityNodes(density, reflectances[row])) {
+                const glm::dvec3 value = color(node.wavelength_nm, node.weight);
+                const double place = (1e3 / node.wavelength_nm - first) / step;
+                const double from = std::clamp(std::floor(place) - 1.0, 0.0, last);
+                for (int i = 0; i < 4; ++i) {
+                    double weight = 1.0;  // Lagrange's polynomial
+                    for (int j = 0; j < 4; ++j)
+                        if (j != i) weight *= (place - from - j) / (i - j);
+                    waves[static_cast<std::size_t>(from) + static_cast<std::size_t>(i)].colors[row] +=
+                        weight * value;
+                }
+            }
+        }
+        return waves;
+    }
+
+    Wave line(const SpectralSample& sample) const {
+        Wave wave{1e3 / sample.wavelength_nm, {}};
+        for (const optics::Curve& reflectance : tables.reflectances()) {
+            wave.colors.push_back(optics::valueAt(reflectance, sample.wavelength_nm) *
+                                  color(sample.wavelength_nm, sample.power));
+        }
+        return wave;
+    }
+};
+
+// Sixteen wavelengths give a single opening to 2e-4 of its peak, thirty-two also where metals on the way have
+// their own say, and the orders of a lattice take their number in step with the cells in a row
+// (docs/theory.md, "Openings"). Beyond the most the device merges cells.
+std::size_t waveCount(double extentInCells, bool inBands) {
+    constexpr double kMost = 256.0;
+    return static_cast<std::size_t>(std::clamp(std::ceil(1.5 * extentInCells), inBands ? 32.0 : 16.0, kMost));
+}
+
+std::vector<double> evenWavenumbers(std::size_t count) {
+    constexpr double kFirst_per_um = 1e3 / kLongestVisible_nm, kLast_per_um = 1e3 / kShortestVisible_nm;
+    const double step = (kLast_per_um - kFirst_per_um) / static_cast<double>(count - 1);
+    std::vector<double> wavenumbers;
+    for (std::size_t i = 0; i < count; ++i)
+        wavenumbers.push_back(kFirst_per_um + step * static_cast<double>(i));
+    return wavenumbers;
+}
+
+// Where on the source light comes from, as direction cosines off its middle, by Gauss's rule.
+struct SourcePoint {
+    dvec2 direction;
+    double weight;
+};
+
+std::vector<SourcePoint> sourcePoints(double size, int across) {
+    if (size == 0.0) return {{dvec2(0.0), 1.0}};
+    std::vector<SourcePoint> points;
+    const optics::GaussRule rule = optics::gaussLegendre(across);
+    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+        for (std::size_t j = 0; j < rule.weights.size(); ++j) {
+            points.push_back(
+                {0.5 * size * dvec2(rule.nodes[i], rule.nodes[j]), 0.25 * rule.weights[i] * rule.weights[j]});
+        }
+    }
+    return points;
+}
+
+// Each wave from each point: wavenumbers and directions, then the colours, row by row.
+void appendSamples(const std::vector<Wave>& waves, const std::vector<SourcePoint>& points,
+                   std::vector<float>& values) {
+    for (const Wave& wave : waves) {
+        for (const SourcePoint& point : points) {
+            for (const double value : {wave.wavenumber, point.direction.x, point.direction.y})
+                values.push_back(toFloat(value));
+        }
+    }
+    const std::size_t rows = waves.empty() ? 0 : waves.front().colors.size();
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (const Wave& wave : waves) {
+            for (const SourcePoint& point : points) {
+                for (int i = 0; i < 3; ++i) values.push_back(toFloat(point.weight * wave.colors[row][i]));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<float> maskTable(const optics::MaskSpectrum& spectrum) {
+    std::vector<float> table;
+    const std::int64_t columns = spectrum.columns(), rows = spectrum.rows(), stride = columns / 2 + 1;
+    for (std::int64_t j = -1; j <= rows + 1; ++j) {
+        for (std::int64_t i = -1; i <= columns / 2 + 2; ++i) {
+            // The mirror image of a column beyond the half that is there.
+            const bool isMirrored = i < 0 || i > columns / 2;
+            const std::int64_t column = i < 0 ? -i : isMirrored ? columns - i : i;
+            const std::int64_t row = ((isMirrored ? -j : j) % rows + rows) % rows;
+            table.push_back(spectrum.values()[static_cast<std::size_t>(row * stride + column)]);
+        }
+    }
+    return table;
+}
+
+device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
+                                      const SpectralTables& tables, std::vector<float>& values) {
+    const scene::Beam& beam = grating.beam;
+    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
+    const dvec2 incoming(glm::dot(beam.direction, across), glm::dot(beam.direction, grating.slitDirection));
+
+    device::OpeningGrating packed{};
+    packed.position = glm::vec3(grating.position);
+    packed.across = glm::vec3(across);
+    packed.along = glm::vec3(grating.slitDirection);
+    packed.normal = glm::vec3(grating.normal);
+    packed.incoming = device::vec2(incoming);
+    packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
+
+    // The opening, and what its pattern needs.
+    const double area = optics::area(grating.aperture);
+    double peak = area * area;
+    std::optional<optics::MaskSpectrum> maskSpectrum;
+    double cellExtent = 0.0;   // metres
+    double wholeExtent = 0.0;  // of the lattice
+    if (const auto* mask = std::get_if<optics::MaskAperture>(&grating.aperture)) {
+        maskSpectrum.emplace(*mask);
+        peak = maskSpectrum->peak();
+        packed.opening = device::MASK_OPENING;
+        packed.size_um = {toFloat(maskSpectrum->columns()), toFloat(maskSpectrum->rows())};
+        packed.pixel_um = toFloat(mask->pixel / um);
+        packed.table = here(values);
+        const std::vector<float> table = maskTable(*maskSpectrum);
+        values.insert(values.end(), table.begin(), table.end());
+        cellExtent = wholeExtent = extentOf(*mask);
+    } else if (const auto* lattice = std::get_if<optics::LatticeAperture>(&grating.aperture)) {
+        std::visit(OpeningPacker{packed, values}, lattice->cell);
+        packLattice(*lattice, packed);
+        cellExtent = std::visit([](const auto& cell) { return extentOf(cell); }, lattice->cell);
+        wholeExtent = cellExtent + (lattice->firstCount - 1.0) * glm::length(lattice->first) +
+                      (lattice->secondCount - 1.0) * glm::length(lattice->second);
+    } else {
+        std::visit(
+            [&](const auto& opening) {
+                if constexpr (requires { OpeningPacker{packed, values}(opening); }) {
+                    OpeningPacker{packed, values}(opening);
+                    cellExtent = wholeExtent = extentOf(opening);
+                }
+            },
+            grating.aperture);
+    }
+    assert(cellExtent > 0.0);
+
+    const double passing = grating.efficiency
+                               ? *grating.efficiency
+                               : optics::openFraction(grating.aperture, beam.width / m, beam.height / m,
+                                                      static_cast<optics::BeamShape>(beam.profile));
+    Shares shares(shareStep_nm(cellExtent, packed.isLattice != 0), [&](Length wavelength) {
+        return maskSpectrum ? maskSpectrum->propagatingShare(wavelength, incoming.x, incoming.y)
+                            : optics::propagatingShare(grating.aperture, wavelength, incoming.x, incoming.y);
+    });
+    const SpectrumPacker packer{beam.power / W * passing * peak / area, shares, tables};
+
+    // A source so wide that it hides the fringes between the cells is seen as points further apart than
+    // these.
+    constexpr double kFewestFringes = 6.0;
+    const double size = beam.angularSize / rad;
+    const double shortest = kShortestVisible_nm * 1e-9;
+    const double fringes = size * wholeExtent / shortest;
+    const double resolved =
+        fringes <= kFewestFringes ? fringes : std::min(size * cellExtent / shortest, kFewestFringes);
+    const int pointsAcross = 2 + static_cast<int>(std::ceil(2.5 * resolved));  // Gauss's rule, to 1e-4
+    packed.sourceBlur = toFloat(size / pointsAcross);
+    const std::vector<SourcePoint> points = sourcePoints(size, pointsAcross);
+
+    std::vector<Wave> waves;
+    if (!spectrum.density.empty()) {
+        const std::vector<double> wavenumbers =
+            evenWavenumbers(waveCount(wholeExtent / cellExtent, tables.bands() > 1));
+        packed.wavenumberStep = toFloat(wavenumbers[1] - wavenumbers[0]);
+        waves = packer.continuum(spectrum.density, wavenumbers);
+    }
+    for (const SpectralSample& line : lineSamples(spectrum)) waves.push_back(packer.line(line));
+    packed.sampleCount = static_cast<device::uint>(waves.size() * points.size());
+    packed.samples = here(values);
+    appendSamples(waves, points, values);
+    return packed;
+}
+
+}  // namespace fringe::compile

@@ -1,0 +1,24 @@
+// An opening of any shape but slits as the device gets it: its record, and its part of the tables.
+#pragma once
+
+#include <vector>
+
+#include "compile/interface.hpp"
+#include "compile/spectral.hpp"
+#include "optics/mask_spectrum.hpp"
+#include "scene/scene.hpp"
+
+namespace fringe::compile {
+
+// A mask's spectrum as the device looks it up: half of the plane and a margin (shaders/apertures.glsl,
+// maskPattern).
+std::vector<float> maskTable(const optics::MaskSpectrum& spectrum);
+
+// Appends to `values` what the device reads beside the record: its spectrum as a list of wavenumbers and
+// colours, which hold all of  power response(l) |A(0)|^2 / (l^2 area share(l))  so that the device multiplies
+// by the relative pattern and by geometry alone; a polygon's vertices; a mask's spectrum. `tables` must know
+// all reflectances. Precondition: the aperture is no slits.
+device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
+                                      const SpectralTables& tables, std::vector<float>& values);
+
+}  // namespace fringe::compile

@@ -23,6 +23,7 @@ layout(scalar, set = 0, binding = 12) readonly buffer GratingBlock { ThesisGrati
 layout(scalar, set = 0, binding = 13) readonly buffer SlitGratingBlock { SlitGrating slitGratings[]; };
 layout(scalar, set = 0, binding = 14) readonly buffer TableBlock { float tables[]; };
 layout(scalar, set = 0, binding = 15) readonly buffer OpeningGratingBlock { OpeningGrating openingGratings[]; };
+layout(scalar, set = 0, binding = 16) readonly buffer OpticalDiscBlock { OpticalDisc opticalDiscs[]; };
 
 // TypeAt(i): element i of a kind, from where it lies. Among few it is selected, not addressed: i mostly differs from
 // invocation to invocation, and an address that does is loaded lane by lane on a CPU.
@@ -48,6 +49,7 @@ ELEMENT_AT(Light, lightAt, LIGHT_COUNT, lights)
 ELEMENT_AT(ThesisGrating, gratingAt, GRATING_COUNT, gratings)
 ELEMENT_AT(SlitGrating, slitGratingAt, SLIT_GRATING_COUNT, slitGratings)
 ELEMENT_AT(OpeningGrating, openingGratingAt, OPENING_GRATING_COUNT, openingGratings)
+ELEMENT_AT(OpticalDisc, opticalDiscAt, OPTICAL_DISC_COUNT, opticalDiscs)
 
 // The same value, but not to be seen as a uniform. Use it wherever a value of the scene block alone decides an if: for
 // such values lavapipe 22.3 may compile the shader again at every dispatch (half a second each).

@@ -1,7 +1,9 @@
-// From a place in the picture to a ray.
+// From a place in the picture to a ray. A spectrum is of the line through the picture's middle, in
+// each row another band.
 
 Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
     vec2 ndc = vec2(2.0 * place.x / float(scene.frame.width) - 1.0, 1.0 - 2.0 * place.y / float(scene.frame.height));
+    if (IS_SPECTRUM != 0u) ndc.y = 0.0;
     Camera camera = scene.frame.camera;
     vec3 onPlane = ndc.x * camera.right + ndc.y * camera.up;
     vec3 origin = camera.position;
@@ -19,6 +21,6 @@ Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
         direction = normalize(camera.forward + onPlane);
     }
     Throughput full;
-    for (uint k = 0u; k < BANDS; ++k) full.band[k] = 1.0;
+    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) full.band[k] = IS_SPECTRUM == 0u || k == uint(place.y) ? 1.0 : 0.0;
     return Path(origin, direction, full, 0u, 0.0);
 }

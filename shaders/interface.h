@@ -27,6 +27,8 @@ struct Frame {
     uint environmentSpectrum;
     uint reflectanceCount;
     uint metals;         // where the refractive indices begin in the tables
+    uint castingDiscs;   // where the discs that light their surroundings are in the tables: centre, normal, radius, OpticalDisc
+    uint discSpectra;    // where the spectra for optical discs begin in the tables (src/compile/discs.hpp)
     float pixelAngle;    // width of a sample's share of a pixel: this times the distance, plus pixelWidth
     float pixelWidth;
 };
@@ -112,15 +114,41 @@ const uint CONDUCTOR = 2u;
 const uint DIELECTRIC = 3u;
 const uint EMISSIVE = 4u;
 const uint THESIS_DISC = 5u;
+const uint OPTICAL_DISC = 6u;
 
 // One record for every kind: what `value` and `row` mean depends on it.
 struct Material {
     uint kind;
-    float value;         // factor on the reflectance | - | refractive index | radiance | mirror reflectance
-    uint row;            // reflectance | metal | - | spectrum | -
+    float value;         // factor on the reflectance | - | refractive index | radiance | mirror reflectance | of the label
+    uint row;            // reflectance | metal | - | spectrum | - | optical disc
     uint twoSided;       // EMISSIVE
     vec3 color;          // THESIS_DISC: linear sRGB
     ThesisAperture aperture;  // THESIS_DISC
+};
+
+const uint NO_METAL = 0xffffffffu;
+
+// A disc whose track diffracts (docs/optical-discs.md). From the middle outwards: hub, plain metal, track, plain metal.
+struct OpticalDisc {
+    float pitch_um;
+    float depth_um;      // of the pits, times the refractive index over the track
+    float bend;          // refractive index over the track, by which directions are refracted: 1 where it lies in air
+    float index;         // of the cover, or of the lacquer where there is no metal
+    uint metal;          // or NO_METAL: a lacquer, with a track on both sides
+    float pits;          // share of the data's area that is pit
+    float scattering;    // share of the light that pits scatter, per phase contrast
+    float pitWidth_um;
+    float correlation_um;   // length along the track over which scattered light agrees
+    uint scatteringShares;  // in the tables: for each band, the part of the scattering that propagates
+    uint orders;         // in the tables: strengths of orders 1.., or given efficiencies [-orderCount..orderCount][band]
+    uint orderCount;
+    uint isGiven;        // 1: efficiencies are given
+    uint isCoarse;       // 1: so many orders that all power is among them
+    float grooveSlope;   // of a wide groove: the steepest slope of its arc, times the refractive index; 0 for pits
+    float hubRadiusSquared;
+    float innerRadiusSquared;  // of the data
+    float outerRadiusSquared;
+    uint label;          // reflectance row
 };
 
 const uint POINT_LIGHT = 1u;
@@ -140,7 +168,7 @@ struct Light {
     float emission;      // radiant intensity | irradiance | radiance
     uint spectrum;
     float area;          // of a flat area light
-    float radius;        // of a sphere
+    float radius;        // of a sphere; sine of half the angle that a directional light fills
     float cosOuter;
     float cosInner;
     float innerRatioSquared;  // of a disc with a hole: (inner radius / radius)^2
@@ -278,4 +306,5 @@ struct SceneBlock {
     SlitGrating slitGratings[FEW];
     OpeningGrating openingGratings[FEW];
     OpeningSample openingSamples[FEW_SAMPLES];
+    OpticalDisc opticalDiscs[FEW];
 };

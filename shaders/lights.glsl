@@ -106,7 +106,11 @@ Incident incidentLight(Light light, vec3 position, vec3 normal, vec2 random) {
     if (HAS_POINT_LIGHTS != 0u && decided(light.kind) == POINT_LIGHT) return fromPoint(light.emission, offset, normal);
     if (HAS_SPOT_LIGHTS != 0u && decided(light.kind) == SPOT_LIGHT) return fromSpot(light, offset, normal);
     if (HAS_DIRECTIONAL_LIGHTS != 0u && decided(light.kind) == DIRECTIONAL_LIGHT) {
-        return Incident(-light.direction, INFINITY, light.emission * max(-dot(light.direction, normal), 0.0));
+        vec2 disc = light.radius * sampleRing(random, 0.0);
+        vec3 t, b;
+        completeFrame(-light.direction, t, b);
+        vec3 direction = t * disc.x + b * disc.y - light.direction * sqrt(1.0 - dot(disc, disc));
+        return Incident(direction, INFINITY, light.emission * max(dot(direction, normal), 0.0) * inversesqrt(1.0 - dot(disc, disc)));
     }
     if (HAS_RECTANGLE_LIGHTS != 0u && decided(light.kind) == RECTANGLE_LIGHT) {
         return fromFlatArea(light, (2.0 * random.x - 1.0) * light.u + (2.0 * random.y - 1.0) * light.v, offset, normal);

@@ -1,6 +1,6 @@
 // Radiance along a camera ray: direct light at diffuse surfaces, mirrors and glass followed to scene.frame.maxDepth.
-// Glass splits a path in two; the branch not followed at once waits on a stack. Without glass there is no stack,
-// without mirrors no second ray.
+// Glass and the hubs of discs split a path in two; the branch not followed at once waits on a stack. Without them there is
+// no stack, without mirrors no second ray.
 
 // A waiting branch whose throughput is less than this is dropped: an eighth of the smallest 8-bit step.
 const float LEAST_THROUGHPUT = 1.0 / 4096.0;
@@ -60,9 +60,10 @@ uint candidates(uint first, vec3 position) {
     return bits;
 }
 
-// Light i at a diffuse surface, unless something is in the way. Gratings of the thesis give their value as it is; others
-// go through the Lambertian BRDF.
-void addLight(uint i, Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
+// Light i, or a part of it, at a diffuse surface or the track of a disc, unless something is in the way. Gratings of the thesis give their
+// value as it is; others go through the Lambertian BRDF. Discs diffract no light of gratings.
+void addLight(uint i, uint part, Surface surface, vec3 normal, float travelled, Material material, TrackView view, Path path, inout Sample sample_) {
+    bool isTrack = OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC;
     float brdf = material.value * 0.318309886;
     vec3 direction;
     float distance_;
@@ -96,7 +97,14 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, Material ma
         }
         Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
         value = vec3(0.0);
-        if (incident.irradiance > 0.0) value = brdf * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
+        if (OPTICAL_DISC_COUNT > 0u && isTrack) {
+            if (incident.irradiance > 0.0) {
+                value = discValue(opticalDiscAt(material.row), view, normal, lightAt(i), surface.position, part, random.x, incident,
+                                  path.throughput);
+            }
+        } else if (incident.irradiance > 0.0) {
+            value = brdf * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
+        }
         distance_ = incident.distance;
         direction = incident.direction;
     }
@@ -109,14 +117,50 @@ void addLight(uint i, Surface surface, vec3 normal, float travelled, Material ma
     }
 }
 
+// Light that discs send on to a matt surface.
+void addCastLight(Surface surface, vec3 normal, Material material, Path path, inout Sample sample_) {
+    for (uint i = 0u; i < CASTING_DISC_COUNT * lightCount(); ++i) {
+        CastingDisc caster = castingDiscAt(i / lightCount());
+        Light light = lightAt(i % lightCount());
+        vec3 w = surface.position - caster.center;
+        vec2 random = vec2(0.5);
+        if (HAS_SEVERAL_SAMPLES != 0u) {
+            random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i % lightCount());
+        }
+        Incident incident = incidentLight(light, caster.center, caster.normal, random);
+        if (dot(w, caster.normal) <= 0.0 || incident.irradiance <= 0.0 || decided(light.kind) == ENVIRONMENT_LIGHT) continue;
+        bool isParallel = decided(light.kind) == DIRECTIONAL_LIGHT;
+        float normalIrradiance = incident.irradiance / dot(incident.direction, caster.normal);
+        LampPoint lamp = LampPoint(isParallel ? incident.direction : incident.direction * incident.distance, isParallel,
+                                   isParallel ? normalIrradiance : normalIrradiance * incident.distance * incident.distance);
+        vec3 irradiance = fromCastingDisc(caster, opticalDiscAt(caster.disc), lamp, w, normal, light.spectrum, material.row,
+                                          random.x, path.throughput);
+        sample_.radiance += material.value * 0.318309886 * irradiance;
+    }
+}
+
 void addDirectLight(Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
     if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u && SLIT_GRATING_COUNT == 0u && OPENING_GRATING_COUNT == 0u) return;
     uint count = lightCount() + gratingCount() + slitGratingCount() + openingGratingCount();
+    TrackView view;
+    if (OPTICAL_DISC_COUNT > 0u) {
+        float toEye = path.travelled + travelled;
+        view = trackView(surface.local, normal, path.direction, toEye, scene.frame.pixelAngle * toEye + scene.frame.pixelWidth);
+        if (decided(material.kind) == OPTICAL_DISC) count = lightCount();
+    }
     for (uint first = 0u; first < count; first += 32u) {
-        for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
-            addLight(first + uint(findLSB(bits)), surface, normal, travelled, material, path, sample_);
+        uint bits = candidates(first, surface.position);
+        if (OPTICAL_DISC_COUNT > 0u && count - first < 32u) bits &= (1u << (count - first)) - 1u;   // of a disc's track
+        for (; bits != 0u; bits &= bits - 1u) {
+            uint i = first + uint(findLSB(bits));
+            uint parts = 1u;
+            if (OPTICAL_DISC_COUNT > 0u && LIGHT_COUNT > 0u && decided(material.kind) == OPTICAL_DISC) parts = partsOf(lightAt(i));
+            for (uint part = 0u; part < parts; ++part) {
+                addLight(i, part, surface, normal, travelled, material, view, path, sample_);
+            }
         }
     }
+    if (CASTING_DISC_COUNT > 0u && decided(material.kind) == DIFFUSE) addCastLight(surface, normal, material, path, sample_);
     sample_.dimension += lightCount();
 }
 
@@ -138,8 +182,23 @@ void tracePath(Path path, inout Sample sample_) {
             float facing = dot(path.direction, surface.normal);
             vec3 normal = facing < 0.0 ? surface.normal : -surface.normal;   // towards the eye
 
-            if (HAS_DIFFUSE != 0u && kind == DIFFUSE) {
+            bool isTrack = false;
+            if (OPTICAL_DISC_COUNT > 0u && kind == OPTICAL_DISC) {
+                OpticalDisc disc = opticalDiscAt(material.row);
+                float squared = dot(surface.local, surface.local);
+                isTrack = isOnTrack(disc, squared);
+                if (isLabel(disc, squared, facing > 0.0)) {
+                    isTrack = false;
+                    kind = DIFFUSE;
+                    material.kind = DIFFUSE;
+                    material.row = disc.label;
+                }
+            }
+            if ((HAS_DIFFUSE != 0u || OPTICAL_DISC_COUNT > 0u) && (kind == DIFFUSE || isTrack)) {
                 addDirectLight(surface, normal, hit.t, material, path, sample_);
+            }
+            if (kind == DIFFUSE) {
+                // the path ends
             } else if (HAS_EMITTERS != 0u && kind == EMISSIVE) {
                 if (facing < 0.0 || decided(material.twoSided) != 0u) {
                     sample_.radiance += material.value * seen(path.throughput, material.row, 0u);
@@ -164,6 +223,32 @@ void tracePath(Path path, inout Sample sample_) {
                         path = reflection;
                     }
                     alive = largest(path.throughput) >= LEAST_THROUGHPUT;
+                }
+            } else if (OPTICAL_DISC_COUNT > 0u && kind == OPTICAL_DISC) {
+                alive = path.depth < MAX_DEPTH;
+                OpticalDisc disc = opticalDiscAt(material.row);
+                Path mirrored = path;
+                mirrored.direction = normalize(path.direction + 2.0 * abs(facing) * normal);
+                mirrored.origin = leave(surface.position, normal, hit.t);
+                mirrored.travelled += hit.t;
+                mirrored.depth += 1u;
+                float squared = dot(surface.local, surface.local);
+                if (HAS_HUBS != 0u && squared < disc.hubRadiusSquared) {
+                    float reflectance = clearSheet(abs(facing), disc.index);
+                    mirrored.throughput = scaled(path.throughput, reflectance);
+                    if (alive && largest(mirrored.throughput) >= LEAST_THROUGHPUT) waiting[waitingCount++] = mirrored;
+                    path.throughput = scaled(path.throughput, 1.0 - reflectance);
+                    path.origin = leave(surface.position, -normal, hit.t);
+                    path.travelled += hit.t;
+                    path.depth += 1u;
+                } else {
+                    vec3 radial = surface.local * inversesqrt(squared);
+                    vec2 out_ = vec2(dot(path.direction, radial), dot(path.direction, cross(normal, radial)));
+                    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
+                        mirrored.throughput.band[k] *= undeviatedShare(disc, out_, abs(facing), bandMiddle_um(k),
+                                                                       isOnTrack(disc, squared));
+                    }
+                    path = mirrored;
                 }
             } else if (HAS_CONDUCTORS != 0u || HAS_THESIS_DISCS != 0u) {
                 if (HAS_THESIS_DISCS != 0u && kind == THESIS_DISC) {
@@ -196,7 +281,7 @@ void tracePath(Path path, inout Sample sample_) {
             }
         }
         if (!alive) {
-            if (HAS_DIELECTRICS == 0u || waitingCount == 0u) break;
+            if ((HAS_DIELECTRICS == 0u && HAS_HUBS == 0u) || waitingCount == 0u) break;
             path = waiting[--waitingCount];
         }
     }

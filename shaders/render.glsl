@@ -4,6 +4,19 @@
 #include "bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
+// What a variant has none of ends here.
+#if !SLITS
+#define SLIT_GRATING_COUNT 0u
+#endif
+#if !OPENINGS
+#define OPENING_GRATING_COUNT 0u
+#endif
+#if !DISCS
+#define OPTICAL_DISC_COUNT 0u
+#define CASTING_DISC_COUNT 0u
+#define HAS_HUBS 0u
+#endif
+
 #include "sampler.glsl"
 #include "phase.glsl"
 #include "spectral.glsl"
@@ -15,6 +28,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "lights.glsl"
 #include "slits.glsl"
 #include "opening_lights.glsl"
+#include "chords.glsl"
+#include "disc.glsl"
+#include "disc_light.glsl"
 #include "path.glsl"
 #include "camera.glsl"
 

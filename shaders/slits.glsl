@@ -1,6 +1,6 @@
 // Light from slits in a beam, at any distance where the far field of a single slit holds (docs/theory.md, "Slits").
 // Across the slits the beam spreads by their diffraction, along them it stays the beam, with Fresnel's edges.
-// A continuous spectrum comes out of response tables, integrated over wavelength on the host (src/compile/response.hpp);
+// A continuous spectrum comes out of response tables, integrated over wavelength on the host (src/compile/slit_response.hpp);
 // the lines of a spectrum are followed one by one.
 
 // A point as a grating sees it.
@@ -34,7 +34,8 @@ const float MIDDLE_WAVE = 0.55e-6;
 
 const float ROUND_PIECES = 24.0;    // that a disc-shaped beam is cut into for a continuous spectrum
 const float GAUSSIAN_PIECES = 8.0;  // likewise a Gaussian beam across wide slits
-const float MOST_STRIPS = 384.0;    // for one wavelength: enough up to a Fresnel number of about 40
+const float MOST_STRIPS = 384.0;    // for one wavelength: enough up to this Fresnel number
+const float LARGEST_FRESNEL_NUMBER = 40.0;
 
 // Fresnel's unit of length at the beam's edge, along the slits.
 float fresnelWidth(SlitGrating g, GratingView v, float wavelength) {
@@ -105,7 +106,7 @@ float footprint(SlitGrating g, uint profile, float offset, float curvature, floa
 
 // The same in both dimensions for the part of an even disc that meets the slits: strip by strip along the slits, each with
 // closed ends, at the nodes y = radius sin(theta) that make the sum converge geometrically once they resolve the phase.
-float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength, vec2 smear) {
+float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength, float bandwidth, vec2 smear) {
     vec2 focused = curvature - g.convergence;
     vec2 direction = offset * curvature;
     if (focused.x < 0.0) {                                 // the conjugate has the same intensity
@@ -117,7 +118,16 @@ float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength
     float hidden = hiding(ripplesIn(max(smear.x, smear.y), curvature.y, radius, wavelength));
     float soft = min(image.x, image.y) / max(max(smear.x, smear.y), 1e-9);
     float value = clamp(0.5 + (1.0 - length(offset / image)) * soft, 0.0, 1.0) * radius * radius / (image.x * image.y);
-    if (abs(offset.x) > image.x * g.halfSlits / radius) value = 0.0;
+    for (bool once = radius * radius * max(focused.x, abs(focused.y)) > LARGEST_FRESNEL_NUMBER * wavelength && hidden < 1.0;
+         once; once = false) {
+        // The rim of a large disc is a straight edge across the radius.
+        float away = max(length(offset), 1e-6 * radius);
+        vec2 share = offset * offset / (away * away);
+        value = footprint(g, RECTANGULAR_BEAM, away, dot(share, curvature), radius, wavelength, bandwidth,
+                          max(smear.x, smear.y));
+        hidden = 1.0;
+    }
+    if (g.halfSlits < radius && abs(offset.x) > image.x * g.halfSlits / radius) value = 0.0;
     bool inFocus = focused.x * radius * radius < 1e-3 * wavelength;
     float scale = sqrt(2.0 * focused.x / wavelength);
     float center = direction.x / max(focused.x, 1e-9);
@@ -141,12 +151,13 @@ float discFootprint(SlitGrating g, vec2 offset, vec2 curvature, float wavelength
     return mix(dot(sum, sum) * curvature.x * curvature.y / (wavelength * wavelength), value, hidden);
 }
 
-// Whether a disc-shaped beam ends at so different heights for the slits in it that no common edge diffracts.
+// Whether a disc-shaped beam ends at so different heights for the slits in it that no common edge diffracts, or that the
+// slits are of unlike length.
 bool hasRoundEdge(SlitGrating g, float curvature) {
     if (g.profile != FLAT_BEAM) return false;
     float lit = min(g.halfSlits, g.halfWidth);
     float sag = g.halfHeight - sqrt(g.halfWidth * g.halfWidth - lit * lit);
-    return sag * sag * curvature > LONGEST_WAVE;
+    return sag > 2e-3 * g.halfHeight || sag * sag * curvature > LONGEST_WAVE;
 }
 
 // Along the slits.
@@ -301,7 +312,7 @@ float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, fl
     if (hasRoundEdge(g, curvatureY)) {
         // Far from the disc there is nothing, and no strip need be summed.
         if (max(abs(footX), abs(footY)) > 1.5 * g.halfWidth + SPILL_REACH * sqrt(0.5 * wavelength / curvatureX)) return 0.0;
-        return value * discFootprint(g, vec2(footX, footY), vec2(curvatureX, curvatureY), wavelength, v.smear);
+        return value * discFootprint(g, vec2(footX, footY), vec2(curvatureX, curvatureY), wavelength, bandwidth, v.smear);
     }
     bool isGaussianAcross = g.profile == GAUSSIAN_BEAM && g.halfSlits > g.halfWidth;
     GratingView there = v;

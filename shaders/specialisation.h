@@ -51,4 +51,12 @@
     X(46, HAS_SYMMETRIC_OPENINGS)   \
     X(47, POLYGON_EDGES)            \
     X(48, SYMMETRIC_EDGES)          \
-    X(49, SAMPLES_AT_HAND)
+    X(49, SAMPLES_AT_HAND)          \
+    X(50, IS_SPECTRUM)              \
+    X(51, OPTICAL_DISC_COUNT)       \
+    X(52, HAS_SCATTERING)           \
+    X(53, HAS_DISC_CONTINUUM)       \
+    X(54, HAS_DISC_LINES)           \
+    X(55, HAS_HUBS)                 \
+    X(56, HAS_GROOVES)              \
+    X(57, CASTING_DISC_COUNT)

@@ -15,6 +15,7 @@ void addRender(CLI::App& app, Command& chosen);
 void addValidate(CLI::App& app, Command& chosen);
 void addInfo(CLI::App& app, Command& chosen);
 void addDevices(CLI::App& app, Command& chosen);
+void addProfile(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
 
 inline constexpr int kDone = 0;

@@ -13,6 +13,7 @@
 #include "gpu/device.hpp"
 #include "image/compare.hpp"
 #include "image/file_error.hpp"
+#include "profile/surface.hpp"
 #include "version.hpp"
 
 namespace {
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
     cli::addValidate(app, chosen);
     cli::addInfo(app, chosen);
     cli::addDevices(app, chosen);
+    cli::addProfile(app, chosen);
     cli::addCompare(app, chosen);
     try {
         app.parse(argc, argv);
@@ -56,6 +58,8 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "{}\n", error.what());  // one line a problem, each with its place
         return cli::kWrongInput;
     } catch (const cli::InputError& error) {
+        return fail(cli::kWrongInput, error.what());
+    } catch (const profile::LineError& error) {
         return fail(cli::kWrongInput, error.what());
     } catch (const image::MismatchError& error) {
         return fail(cli::kWrongInput, error.what());

@@ -6,12 +6,12 @@
 
 #include <cassert>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/device_choice.hpp"
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
@@ -141,18 +141,6 @@ compile::Measure measureOf(image::Quantity quantity) {
     return compile::Measure::color;
 }
 
-bool environmentFlag(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr && *value != '\0' && std::string_view(value) != "0";
-}
-
-gpu::DeviceRequest deviceRequest(const RenderOptions& options) {
-    const char* fromEnvironment = std::getenv("FRINGE_DEVICE");
-    const std::string fallback = fromEnvironment != nullptr ? fromEnvironment : "";
-    return {.selector = options.device.empty() ? fallback : options.device,
-            .validation = environmentFlag("FRINGE_VALIDATION")};
-}
-
 // ---- what is said about it ----------------------------------------------------------------------
 
 double peakMemory_MiB() {
@@ -221,13 +209,6 @@ int conclude(Outputs& outputs, bool complete, bool keepPartial) {
     return outputs.failures().empty() ? kDone : kMachineCannot;
 }
 
-// True when the validation layer had nothing to say.
-bool passedValidation(const gpu::Device& device) {
-    const auto messages = device.validationMessages();
-    for (const std::string& message : messages) fmt::print(stderr, "fringe: validation: {}\n", message);
-    return messages.empty();
-}
-
 int render(RenderOptions options) {
     const auto start = Clock::now();
     catchInterrupts();
@@ -256,7 +237,7 @@ int render(RenderOptions options) {
         report.renderer = "reference renderer (CPU, double precision)";
         report.driver = kCompiler;
     } else {
-        device.emplace(deviceRequest(options));
+        device.emplace(deviceRequest(options.device));
         report.renderer = device->description().name;
         report.driver = device->description().driver;
     }

@@ -70,7 +70,8 @@ Interval lightInterval(const scene::Light& light, dvec3 along) {
     if (std::holds_alternative<scene::EnvironmentLight>(light.model)) return {-kInfinity, kInfinity};
     if (const auto* directional = std::get_if<scene::DirectionalLight>(&light.model)) {
         const double rise = -dot(directional->direction, along);
-        return {rise < 0.0 ? -kInfinity : kInfinity, rise > 0.0 ? kInfinity : -kInfinity};
+        const double spread = std::sin(0.5 * (directional->angularSize / units::rad));
+        return {rise < spread ? -kInfinity : kInfinity, rise > -spread ? kInfinity : -kInfinity};
     }
     if (const auto* grating = std::get_if<scene::Grating>(&light.model)) {
         const double half =

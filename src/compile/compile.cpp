@@ -4,9 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "compile/casters.hpp"
 #include "compile/compiled_scene.hpp"
+#include "compile/discs.hpp"
 #include "compile/gratings.hpp"
 #include "compile/openings.hpp"
 
@@ -98,6 +101,7 @@ dvec3 sumOfLightColors(const scene::Scene& scene) {
 struct MaterialCompiler {
     const scene::Scene& scene;
     SpectralTables& tables;
+    CompiledScene& out;
 
     device::Material operator()(const scene::Diffuse& m) const {
         const SpectralTables::Reflector reflector = tables.reflector(m.reflectance);
@@ -119,7 +123,10 @@ struct MaterialCompiler {
         return packed;
     }
     device::Material operator()(const scene::OpticalDisc& m) const {
-        return material(device::CONDUCTOR, 0.0, tables.metal(m.metal.value_or(scene::Metal::aluminium)));
+        const SpectralTables::Reflector label = tables.reflector(m.labelReflectance);
+        out.opticalDiscs.push_back(compileOpticalDisc(m, tables, out.tables));
+        out.opticalDiscs.back().label = label.row;
+        return material(device::OPTICAL_DISC, label.factor, count(out.opticalDiscs.size() - 1));
     }
 };
 
@@ -248,6 +255,7 @@ struct LightCompiler {
         device::Light packed{};
         packed.kind = device::DIRECTIONAL_LIGHT;
         packed.direction = toFloat(l.direction);
+        packed.radius = toFloat(std::sin(0.5 * (l.angularSize / units::rad)));
         add(packed, l.irradiance / units::W_per_m2);
     }
     // A Lambertian emitter: radiance = power / (pi area).
@@ -312,18 +320,37 @@ void addGlowingObject(const scene::Object& object, const scene::Scene& scene, Sp
         object.shape);
 }
 
+// The clear middle of an optical disc, if it has one.
+std::optional<scene::Disc> clearHub(const scene::Object& object, const scene::Scene& scene) {
+    const auto* disc = std::get_if<scene::OpticalDisc>(&scene.materials[object.material].model);
+    const auto* shape = std::get_if<scene::Disc>(&object.shape);
+    if (disc == nullptr || shape == nullptr || !disc->metal || shape->innerRadius >= disc->metalInnerRadius)
+        return {};
+    return scene::Disc{shape->center, shape->normal, std::min(disc->metalInnerRadius, shape->radius),
+                       shape->innerRadius};
+}
+
 // Shadow casters first, so that shadow rays look at the beginning of each array alone. The shapes of area
 // lights take the materials from `firstLightMaterial` on.
 void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, CompiledScene& out) {
     const std::vector<scene::Shape> shapes = allShapes(scene);
     const std::vector<bool> casters = shadowCasters(scene);
+    std::vector<std::pair<scene::Disc, device::uint>> hubs;
     const auto addAll = [&](bool casting) {
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             if (casters[i] != casting) continue;
             const device::uint material = i < scene.objects.size()
                                               ? scene.objects[i].material
                                               : firstLightMaterial + count(i - scene.objects.size());
-            std::visit(ShapeCompiler{out, material}, shapes[i]);
+            scene::Shape shape = shapes[i];
+            // A clear hub is a shape of its own, which casts no shadow.
+            if (const auto hub =
+                    i < scene.objects.size() ? clearHub(scene.objects[i], scene) : std::nullopt) {
+                hubs.emplace_back(*hub, material);
+                if (hub->radius == std::get<scene::Disc>(shape).radius) continue;
+                std::get<scene::Disc>(shape).innerRadius = hub->radius;
+            }
+            std::visit(ShapeCompiler{out, material}, shape);
         }
     };
     addAll(true);
@@ -332,6 +359,8 @@ void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, Compi
     out.discCasters = count(out.discs.size());
     out.triangleCasters = count(out.triangles.size());
     addAll(false);
+    for (const auto& [hub, material] : hubs) ShapeCompiler{out, material}(hub);
+    out.clearHubs = !hubs.empty();
 }
 
 bool isMetal(const scene::Material& material) {
@@ -369,6 +398,10 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
         grating.table += shift;
         grating.samples += shift;
     }
+    for (device::OpticalDisc& disc : out.opticalDiscs) {
+        disc.orders += shift;
+        disc.scatteringShares += shift;
+    }
 }
 
 // A single opening's spectrum where every surface sees the same one: then the device need not look it up.
@@ -378,8 +411,31 @@ void takeSamplesAtHand(CompiledScene& out) {
     if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F) return;
     for (device::uint i = 0; i < grating.sampleCount; ++i) {
         const float* color = &out.tables[grating.samples + 3 * grating.sampleCount + 3 * i];
-        out.openingSamples.push_back(
-            {out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});
+        out.openingSamples.push_back({out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});
+    }
+}
+
+void addCastingDiscs(const scene::Scene& scene, CompiledScene& out) {
+    out.frame.castingDiscs = count(out.tables.size());
+    for (const scene::Object& object : scene.objects) {
+        const auto* disc = std::get_if<scene::OpticalDisc>(&scene.materials[object.material].model);
+        const auto* shape = std::get_if<scene::Disc>(&object.shape);
+        if (disc == nullptr || shape == nullptr || !disc->castsLight) continue;
+        ++out.castingDiscs;
+        for (int i = 0; i < 3; ++i) out.tables.push_back(toFloat(shape->center[i]));
+        for (int i = 0; i < 3; ++i) out.tables.push_back(toFloat(shape->normal[i]));
+        out.tables.push_back(toFloat(shape->radius));
+        out.tables.push_back(static_cast<float>(out.materials[object.material].row));
+    }
+}
+
+void addDiscSpectra(const SpectralTables& tables, CompiledScene& out) {
+    out.frame.discSpectra = count(out.tables.size());
+    const std::vector<float> values = discSpectra(tables);
+    out.tables.insert(out.tables.end(), values.begin(), values.end());
+    for (const optics::Spectrum& spectrum : tables.spectra()) {
+        out.discContinuum = out.discContinuum || !spectrum.density.empty();
+        out.discLines = out.discLines || !spectrum.lines.empty();
     }
 }
 
@@ -403,13 +459,15 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
         out.maxDepth = scene.image.maxDepth;
 
-    out.inBands = std::any_of(scene.materials.begin(), scene.materials.end(), isMetal);
+    out.isSpectrum = measure == Measure::spectrum;
+    if (out.isSpectrum) frame.height = device::SPECTRAL_BANDS;
+    out.inBands = out.isSpectrum || std::any_of(scene.materials.begin(), scene.materials.end(), isMetal);
     setPixelWidth(scene, frame);
 
     // Reflectances first: what a light needs depends on what it falls on.
     SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1);
     for (const scene::Material& material : scene.materials) {
-        out.materials.push_back(std::visit(MaterialCompiler{scene, tables}, material.model));
+        out.materials.push_back(std::visit(MaterialCompiler{scene, tables, out}, material.model));
     }
     for (const scene::Object& object : scene.objects) addGlowingObject(object, scene, tables, out);
     const device::uint firstLightMaterial = count(out.materials.size());
@@ -417,6 +475,8 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     addShapes(scene, firstLightMaterial, out);
     addColors(tables, out);
     takeSamplesAtHand(out);
+    if (!out.opticalDiscs.empty()) addDiscSpectra(tables, out);
+    addCastingDiscs(scene, out);
     return out;
 }
 
@@ -437,6 +497,7 @@ device::SceneBlock sceneBlock(const CompiledScene& scene) {
     copyFew(scene.slitGratings, block.slitGratings);
     copyFew(scene.openingGratings, block.openingGratings);
     std::copy(scene.openingSamples.begin(), scene.openingSamples.end(), block.openingSamples);
+    copyFew(scene.opticalDiscs, block.opticalDiscs);
     return block;
 }
 

@@ -30,7 +30,12 @@ struct CompiledScene {
     std::vector<device::SlitGrating> slitGratings;
     std::vector<device::OpeningGrating> openingGratings;
     std::vector<device::OpeningSample> openingSamples;  // if it fits in the uniform block
-    bool inBands = false;       // paths carry spectral bands: there are metals
+    bool inBands = false;     // paths carry spectral bands: there are metals, or the film holds a spectrum
+    bool isSpectrum = false;  // a band in each row: Measure::spectrum
+    std::vector<device::OpticalDisc> opticalDiscs;
+    bool clearHubs = false;                         // of discs: a path may go on behind one
+    std::uint32_t castingDiscs = 0;                 // that light their surroundings
+    bool discContinuum = false, discLines = false;  // what of spectra discs diffract
     std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
 };
 

@@ -20,13 +20,16 @@ using uint = std::uint32_t;
 #include "../../shaders/specialisation.h"
 
 // Scalar block layout has no padding, and neither may these have.
-static_assert(sizeof(Camera) == 76 && sizeof(Frame) == 116);
+static_assert(sizeof(Camera) == 76 && sizeof(Frame) == 124);
 static_assert(sizeof(FilmPixel) == 16);
 static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 36 && sizeof(Sphere) == 20);
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
 static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 148);
 static_assert(sizeof(OpeningGrating) == 148 && sizeof(OpeningSample) == 16);
+static_assert(sizeof(OpticalDisc) == 76);
+// What every device can bind (the least that Vulkan allows for maxUniformBufferRange).
+static_assert(sizeof(SceneBlock) <= 16384);
 static_assert(std::is_trivially_copyable_v<Frame> && std::is_trivially_copyable_v<Light>);
 
 // Constants compiled into the pipeline; equal values mean the same pipeline.

@@ -95,6 +95,16 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .POLYGON_EDGES = mostEdges(device::POLYGONAL_OPENING),
         .SYMMETRIC_EDGES = mostEdges(device::SYMMETRIC_OPENING),
         .SAMPLES_AT_HAND = static_cast<device::uint>(compiled.openingSamples.size()),
+        .IS_SPECTRUM = compiled.isSpectrum,
+        .OPTICAL_DISC_COUNT = count(compiled.opticalDiscs),
+        .HAS_SCATTERING = std::any_of(compiled.opticalDiscs.begin(), compiled.opticalDiscs.end(),
+                                      [](const device::OpticalDisc& d) { return d.scattering > 0.0F; }),
+        .HAS_DISC_CONTINUUM = compiled.discContinuum,
+        .HAS_DISC_LINES = compiled.discLines,
+        .HAS_HUBS = compiled.clearHubs,
+        .HAS_GROOVES = std::any_of(compiled.opticalDiscs.begin(), compiled.opticalDiscs.end(),
+                                   [](const device::OpticalDisc& d) { return d.grooveSlope > 0.0F; }),
+        .CASTING_DISC_COUNT = compiled.castingDiscs,
     };
 }
 

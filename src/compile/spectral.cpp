@@ -108,7 +108,8 @@ device::uint SpectralTables::spectrum(const optics::Spectrum& spectrum) {
 }
 
 SpectralTables::Reflector SpectralTables::reflector(const optics::Curve& reflectance) {
-    if (measure_ == Measure::irradiance) return {0, static_cast<float>(std::numbers::pi)};
+    if (measure_ == Measure::irradiance || measure_ == Measure::spectrum)
+        return {0, static_cast<float>(std::numbers::pi)};
     if (optics::isConstant(reflectance))
         return {0, static_cast<float>(optics::valueAt(reflectance, optics::kShortestVisible_nm))};
     return {rowOf(reflectances_, reflectance, sameCurve), 1.0F};

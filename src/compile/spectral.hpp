@@ -14,8 +14,9 @@
 namespace fringe::compile {
 
 // What the film is to hold: CIE XYZ; or, three times over, radiance in W/(m^2 sr); or the irradiance in W/m^2
-// of the diffuse surface that a pixel shows.
-enum class Measure { color, radiance, irradiance };
+// of the diffuse surface that a pixel shows; or that irradiance on the line through the middle of a
+// picture one row high, in SPECTRAL_BANDS rows, a band of wavelengths in each (bandShare).
+enum class Measure { color, radiance, irradiance, spectrum };
 
 // One wavelength with the power it stands for.
 struct SpectralSample {
@@ -58,6 +59,7 @@ public:
     device::uint metal(scene::Metal metal);
 
     device::uint bands() const { return bands_; }
+    const std::vector<optics::Spectrum>& spectra() const { return spectra_; }
     const std::vector<optics::Curve>& reflectances() const { return reflectances_; }
 
     // What the film records of one watt at this wavelength off this reflectance.

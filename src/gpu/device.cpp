@@ -12,7 +12,7 @@ namespace fringe::gpu {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-constexpr std::uint32_t kStorageBuffers = 15;  // bindings 1..15 of shaders/bindings.glsl
+constexpr std::uint32_t kStorageBuffers = 16;  // bindings 1..16 of shaders/bindings.glsl
 constexpr std::uint32_t kWorkgroupInvocations = 64;
 
 // ---- instance -----------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 // Light that reaches a matt surface straight from where it comes from.
 #pragma once
 
+#include <vector>
+
 #include "oracle/sampler.hpp"
 #include "oracle/value.hpp"
 #include "oracle/world.hpp"
@@ -13,6 +15,24 @@ struct Receiver {
     dvec3 normal;
     std::size_t reflectance = Palette::kWhite;
 };
+
+// Light that comes to a point from one direction (unit): all of a lamp's, or one sample of an emitter's or
+// the background's.
+struct Arrival {
+    double irradiance;
+    dvec3 direction;
+    std::size_t spectrum;  // in the palette
+};
+
+// What lamps, emitters and the background send to a surface point, `normal` on the side that counts; sampled
+// as below.
+std::vector<Arrival> arrivals(const World& world, const dvec3& position, const dvec3& normal,
+                              const Sampler& sampler, Dimension dimension);
+
+// Radiance of this spectrum that shines on a surface point out of a direction (unit): of an emitter there, or
+// that of the sky where there is nothing: the background, and directional lights of some size.
+double emittedRadiance(const World& world, const dvec3& position, const dvec3& normal, const dvec3& direction,
+                       std::size_t spectrum);
 
 // What a matt surface sends back of the light of lamps, emitters and the background, times pi, at the end of
 // a path: each emitter and the background seen in one direction that `sampler` picks under names derived from

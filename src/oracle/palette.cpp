@@ -5,7 +5,7 @@
 namespace fringe::oracle {
 
 std::size_t Palette::addSpectrum(const optics::Spectrum& spectrum) {
-    Light light{sampled(spectrum), {}};
+    Light light{sampled(spectrum), {}, sampled(spectrum, 4000)};
     for (std::size_t i = 0; i < reflectances_.size(); ++i)
         light.colors.push_back(sum(light.samples, passage(i, {})));
     lights_.push_back(std::move(light));

@@ -22,6 +22,12 @@ public:
     std::size_t addSpectrum(const optics::Spectrum& spectrum);
     std::size_t addReflectance(const optics::Curve& reflectance);
 
+    std::size_t spectrumCount() const { return lights_.size(); }
+    // For light whose way depends on its wavelength: ten samples a nanometre.
+    const std::vector<SpectralSample>& fineSamples(std::size_t spectrum) const {
+        return lights_[spectrum].fine;
+    }
+
     // The passage keeps a reference to the throughput.
     Passage passage(std::size_t reflectance, const Throughput& throughput) const {
         return {reflectances_[reflectance], throughput, response_};
@@ -34,6 +40,7 @@ private:
     struct Light {
         std::vector<SpectralSample> samples;
         std::vector<Xyz> colors;  // per reflectance, without a path
+        std::vector<SpectralSample> fine;
     };
 
     static Xyz sum(const std::vector<SpectralSample>& samples, const Passage& passage);

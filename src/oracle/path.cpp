@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/disc.hpp"
 #include "oracle/fresnel.hpp"
 #include "oracle/lighting.hpp"
 #include "oracle/thesis.hpp"
@@ -55,12 +56,6 @@ Value Tracer::shade(const Mirror& material, const Encounter& at) const {
     return follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
 }
 
-Value Tracer::shade(const Lacquer& material, const Encounter& at) const {
-    Throughput throughput = at.path.throughput;
-    throughput.passShare(reflectance(at.cosine, material.ior));
-    return follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
-}
-
 Value Tracer::shade(const scene::Dielectric& material, const Encounter& at) const {
     const double relativeIndex = at.front ? material.ior : 1.0 / material.ior;
     const std::optional<dvec3> through = refracted(at.ray.direction, at.facing, relativeIndex);
@@ -91,6 +86,35 @@ Value Tracer::shade(const scene::ThesisDisc& material, const Encounter& at) cons
                     at.path.throughput);
     Throughput throughput = at.path.throughput;
     throughput.passShare(material.mirrorReflectance);
+    value += follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
+    return value;
+}
+
+Value Tracer::shade(const OpticalDisc& material, const Encounter& at) const {
+    const scene::OpticalDisc& disc = material.model;
+    const dvec3 center = std::get<scene::Disc>(at.hit.surface->shape).center;
+    const double radius = glm::length(at.hit.position - center);
+    const bool isHub = radius < disc.metalInnerRadius;
+    if (disc.metal ? !at.front && !isHub : isHub) return shade(material.label, at);
+
+    Value value;
+    if (isHub) {  // a clear sheet: the sum of all that its two surfaces send to and fro
+        const double once = reflectance(at.cosine, disc.coverIndex);
+        const double share = 2.0 * once / (1.0 + once);
+        Throughput through = at.path.throughput, back = at.path.throughput;
+        through.passShare(1.0 - share);
+        back.passShare(share);
+        value += follow(at, at.ray.direction, through, refraction);
+        value += follow(at, reflected(at.ray.direction, at.facing), back, reflection);
+        return value;
+    }
+    const bool isTrack = disc.dataInnerRadius <= radius && radius < disc.dataOuterRadius;
+    const TrackPoint point{at.hit.position, at.facing, -at.ray.direction, center};
+    if (isTrack)
+        value.xyz += diffracted(world_, material, point, at.path.throughput, sampler_, at.path.dimension);
+    Throughput throughput = at.path.throughput;
+    throughput.passFilter(
+        [&](double wavelength_nm) { return mirroredShare(material, point, isTrack, wavelength_nm); });
     value += follow(at, reflected(at.ray.direction, at.facing), throughput, reflection);
     return value;
 }

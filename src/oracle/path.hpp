@@ -31,10 +31,10 @@ private:
 
     Value shade(const Matt& material, const Encounter& at) const;
     Value shade(const Mirror& material, const Encounter& at) const;
-    Value shade(const Lacquer& material, const Encounter& at) const;
     Value shade(const scene::Dielectric& material, const Encounter& at) const;
     Value shade(const Emitter& material, const Encounter& at) const;
     Value shade(const scene::ThesisDisc& material, const Encounter& at) const;
+    Value shade(const OpticalDisc& material, const Encounter& at) const;
 
     // What a mirror or glass surface passes on from `direction`, one branch of the path, with the throughput
     // behind it.

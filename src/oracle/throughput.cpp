@@ -11,6 +11,7 @@ double Throughput::at(double wavelength_nm) const {
     double product = share_;
     for (const auto& [metal, cosine] : mirrors_)
         product *= reflectance(cosine, refractiveIndex(metal, wavelength_nm * units::nm));
+    for (const auto& filter : filters_) product *= filter(wavelength_nm);
     return product;
 }
 

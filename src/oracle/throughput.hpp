@@ -1,6 +1,7 @@
 // What mirrors and glass leave of the light on its way to the eye, wavelength by wavelength.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "oracle/spectral.hpp"
@@ -15,7 +16,10 @@ public:
     void passShare(double share) { share_ *= share; }
     void reflectFrom(scene::Metal metal, double cosine) { mirrors_.push_back({metal, cosine}); }
 
-    bool isConstant() const { return mirrors_.empty(); }
+    // `share` of a wavelength in nanometres is left.
+    void passFilter(std::function<double(double)> share) { filters_.push_back(std::move(share)); }
+
+    bool isConstant() const { return mirrors_.empty() && filters_.empty(); }
     double constantPart() const { return share_; }
     double at(double wavelength_nm) const;
 
@@ -30,6 +34,7 @@ private:
 
     double share_ = 1.0;
     std::vector<Mirror> mirrors_;
+    std::vector<std::function<double(double)>> filters_;
 };
 
 // What becomes of light that a surface sends on to the film: its reflectance, the way, and the film.

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "oracle/disc.hpp"
 #include "oracle/emitters.hpp"
 
 namespace fringe::oracle {
@@ -26,10 +27,9 @@ public:
                        material.twoSided};
     }
     SurfaceMaterial operator()(const scene::ThesisDisc& material) const { return material; }
-    // Its undeviated light alone, as if there were no track.
     SurfaceMaterial operator()(const scene::OpticalDisc& material) const {
-        if (material.metal) return Mirror{*material.metal};
-        return Lacquer{material.coverIndex};
+        return OpticalDisc{material, std::get<Matt>((*this)(scene::Diffuse{material.labelReflectance})),
+                           propagatingScattering(material)};
     }
 
     void add(const scene::Light& light) {

@@ -24,18 +24,20 @@ struct Mirror {
     scene::Metal metal;
 };
 
-// An opaque body that reflects at its plain surface and swallows the rest.
-struct Lacquer {
-    double ior;
-};
-
 struct Emitter {
     double radiance;
     std::size_t spectrum;  // in the palette
     bool twoSided;         // false: only from the side that the shape's normal points to
 };
 
-using SurfaceMaterial = std::variant<Matt, Mirror, Lacquer, scene::Dielectric, Emitter, scene::ThesisDisc>;
+struct OpticalDisc {
+    scene::OpticalDisc model;
+    Matt label;
+    optics::Curve propagatingScattering;  // oracle/disc.hpp
+};
+
+using SurfaceMaterial =
+    std::variant<Matt, Mirror, scene::Dielectric, Emitter, scene::ThesisDisc, OpticalDisc>;
 
 struct Surface {
     scene::Shape shape;

@@ -10,11 +10,29 @@
 #include "gpu/constant_block.hpp"
 #include "render/scene_buffer.hpp"
 #include "render/tiling.hpp"
-#include "shaders/render.comp.h"
-#include "shaders/render_bands.comp.h"
+#include "shaders/render_000.h"
+#include "shaders/render_001.h"
+#include "shaders/render_010.h"
+#include "shaders/render_011.h"
+#include "shaders/render_100.h"
+#include "shaders/render_101.h"
+#include "shaders/render_110.h"
+#include "shaders/render_111.h"
+#include "shaders/render_discs.h"
 
 namespace fringe::render {
 namespace {
+
+// The variant of the shader with no more code than the scene needs (shaders/CMakeLists.txt).
+std::span<const std::uint32_t> variantFor(const compile::CompiledScene& scene) {
+    static constexpr std::array<std::span<const std::uint32_t>, 8> kVariants{
+        render_000, render_001, render_010, render_011, render_100, render_101, render_110, render_111};
+    if (!scene.opticalDiscs.empty()) return render_discs;
+    const std::size_t bands = scene.inBands ? 4 : 0;
+    const std::size_t slits = scene.slitGratings.empty() ? 0 : 2;
+    const std::size_t openings = scene.openingGratings.empty() ? 0 : 1;
+    return kVariants.at(bands + slits + openings);
+}
 
 constexpr vk::DeviceSize kFilmHeader = sizeof(std::uint32_t);  // FilmBlock.firstRow
 constexpr vk::DeviceSize kLargestFilm = 64ULL << 20;  // bytes; a picture beyond it is rendered in bands
@@ -146,8 +164,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     const Stopwatch watch(clocks_.compile);
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
     std::memcpy(constants.data(), &specialisation, sizeof specialisation);
-    std::span<const std::uint32_t> shader = render_comp;
-    if (scene.inBands) shader = render_bands_comp;
+    std::span<const std::uint32_t> shader = variantFor(scene);
     std::vector<std::uint32_t> withValues;
     if (values == Values::asConstants) {
         withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));

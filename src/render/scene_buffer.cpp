@@ -71,6 +71,7 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addMany("gratings", scene.slitGratings);
     builder.addAll("table entries", scene.tables);
     builder.addMany("gratings", scene.openingGratings);
+    builder.addMany("optical discs", scene.opticalDiscs);
     return builder.take();
 }
 

@@ -25,7 +25,7 @@ SpotLight spotLightOf(const Node& node) {
 }
 
 DirectionalLight directionalLightOf(const Node& node) {
-    return {unitDirection(node["direction"]), node["irradiance"].irradiance()};
+    return {unitDirection(node["direction"]), node["irradiance"].irradiance(), node["angular_size"].angle()};
 }
 
 AreaLight areaLightOf(const Node& node) {

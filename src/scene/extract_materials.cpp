@@ -45,7 +45,7 @@ const Medium& mediumOf(const Node& node) {
     static const Medium bluRay{320.0 * nm,    130.0 * nm, 66.0 * nm, 0.5,       1.53,
                                Metal::silver, 21.0 * mm,  24.0 * mm, 58.0 * mm, 0.75};
     static const Medium vinyl{113.0 * um,   56.0 * um, 28.0 * um, 1.0,        1.53,
-                              std::nullopt, 50.0 * mm, 60.3 * mm, 146.3 * mm, 0.04};
+                              std::nullopt, 50.0 * mm, 60.3 * mm, 146.3 * mm, 0.4};
     static const std::map<std::string, const Medium*> media{
         {"cd", &cd}, {"dvd", &dvd}, {"blu-ray", &bluRay}, {"vinyl", &vinyl}, {"custom", &cd}};
     return *media.at(node.text());
@@ -103,6 +103,7 @@ OpticalDisc opticalDiscOf(const Node& node) {
     disc.dataOuterRadius = outer.si;
     disc.labelReflectance = node.has("label_reflectance") ? shareOf(node["label_reflectance"])
                                                           : optics::constantCurve(medium.labelReflectance);
+    disc.castsLight = node["casts_light"].flag();
     if (node.has("efficiencies")) disc.efficiencies = efficienciesOf(node["efficiencies"]);
     return disc;
 }

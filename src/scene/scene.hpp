@@ -112,6 +112,7 @@ struct OpticalDisc {
     double metalInnerRadius;         // metres; inside lies the clear hub, shown as the cover's plain surface
     optics::Curve labelReflectance;  // of the back
     std::vector<OrderEfficiency> efficiencies;  // empty: those of a binary phase grating
+    bool castsLight = false;                    // sends light of lamps on to matt surfaces
 };
 
 struct Material {
@@ -196,6 +197,7 @@ struct SpotLight {
 struct DirectionalLight {
     dvec3 direction;               // unit, the way the light goes
     units::Irradiance irradiance;  // on a surface that faces it
+    units::Angle angularSize{};    // whole angle of the round source
 };
 
 // Lambertian: radiance is power / (pi area), from the front alone unless twoSided (then from each side).

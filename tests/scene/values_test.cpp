@@ -250,6 +250,12 @@ TEST(SceneValues, DirectionalLight) {
         lightOf(R"({"type": "directional", "direction": [0, -1, 0], "irradiance": "100 mW/cm^2"})").model);
     EXPECT_EQ(sun.direction, dvec3(0, -1, 0));
     EXPECT_EQ(sun.irradiance.si, 1000.0);
+    EXPECT_EQ(sun.angularSize.si, 0.0);
+    EXPECT_EQ(std::get<DirectionalLight>(lightOf(R"({"type": "directional", "direction": [0, -1, 0],
+        "irradiance": "1 W/m^2", "angular_size": "0.5 deg"})")
+                                             .model)
+                  .angularSize,
+              0.5 * deg);
 }
 
 TEST(SceneValues, AreaLightOfEveryShape) {

@@ -1,0 +1,243 @@
+#include "plot/chart.hpp"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+
+#include "image/pending_file.hpp"
+#include "plot/ticks.hpp"
+
+namespace fringe::plot {
+namespace {
+
+using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+// Points of 1/72 inch in SVG; a PNG has kPixelsPerPoint times as many.
+constexpr double kWidth = 960.0, kHeight = 540.0;
+constexpr double kPixelsPerPoint = 2.0;
+
+// The frame of the curve.
+constexpr double kLeft = 88.0, kRight = kWidth - 24.0, kTop = 172.0, kBottom = kHeight - 90.0;
+constexpr double kStripTop = kHeight - 30.0, kStripBottom = kHeight - 10.0;
+
+constexpr double kTextSize = 12.0, kTitleSize = 15.0;
+constexpr double kLabelSpacing = 14.0;  // of labels that stand upright
+constexpr double kHeadroom = 1.06;      // the frame is this much higher than the curve
+
+std::string extensionOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+// Draws onto a context whose unit is the point.
+class Drawing {
+public:
+    Drawing(cairo_t* context, const Chart& chart)
+        : cr_(context), chart_(chart), xMin_(chart.x.front()), xMax_(chart.x.back()) {
+        const double highest = *std::max_element(chart.y.begin(), chart.y.end());
+        yMax_ = highest > 0.0 ? kHeadroom * highest : 1.0;
+    }
+
+    void run() {
+        cairo_set_source_rgb(cr_, 1.0, 1.0, 1.0);
+        cairo_paint(cr_);
+        cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+        grid();
+        curve();
+        frame();
+        marks();
+        strip();
+        ink(0.1);
+        text(chart_.title, kLeft, 24.0, kTitleSize, 0.0);
+        ink(0.35);
+        text(chart_.subtitle, kLeft, 42.0, kTextSize, 0.0);
+    }
+
+private:
+    double toX(double x) const { return kLeft + (x - xMin_) / (xMax_ - xMin_) * (kRight - kLeft); }
+    double toY(double y) const { return kBottom - y / yMax_ * (kBottom - kTop); }
+
+    void ink(double grey) { cairo_set_source_rgb(cr_, grey, grey, grey); }
+
+    void line(double x1, double y1, double x2, double y2) {
+        cairo_move_to(cr_, x1, y1);
+        cairo_line_to(cr_, x2, y2);
+        cairo_stroke(cr_);
+    }
+
+    // `anchor`: 0 puts the text's beginning at the point, 0.5 its middle, 1 its end.
+    void text(const std::string& words, double x, double y, double size, double anchor, double turn = 0.0) {
+        cairo_set_font_size(cr_, size);
+        cairo_text_extents_t extents;
+        cairo_text_extents(cr_, words.c_str(), &extents);
+        cairo_save(cr_);
+        cairo_translate(cr_, x, y);
+        cairo_rotate(cr_, turn);
+        cairo_move_to(cr_, -anchor * extents.x_advance, 0.0);
+        cairo_show_text(cr_, words.c_str());
+        cairo_restore(cr_);
+    }
+
+    void grid() {
+        cairo_set_line_width(cr_, 0.8);
+        const Ticks across = ticksBetween(xMin_, xMax_, 10);
+        for (const double x : across.values) {
+            ink(0.9);
+            line(toX(x), kTop, toX(x), kBottom);
+            ink(0.25);
+            text(across.label(x), toX(x), kBottom + 16.0, kTextSize, 0.5);
+        }
+        const Ticks up = ticksBetween(0.0, yMax_, 5);
+        for (const double y : up.values) {
+            ink(0.9);
+            line(kLeft, toY(y), kRight, toY(y));
+            ink(0.25);
+            text(up.label(y), kLeft - 6.0, toY(y) + 4.0, kTextSize, 1.0);
+        }
+        text(chart_.xLabel, 0.5 * (kLeft + kRight), kBottom + 36.0, kTextSize, 0.5);
+        text(chart_.yLabel, 22.0, 0.5 * (kTop + kBottom), kTextSize, 0.5, -0.5 * std::numbers::pi);
+    }
+
+    // Of more samples than can be seen, the least and the greatest of each quarter point.
+    void curve() {
+        const std::size_t count = chart_.x.size();
+        const auto columns = static_cast<std::size_t>(4.0 * (kRight - kLeft));
+        cairo_new_path(cr_);
+        if (count <= 2 * columns) {
+            for (std::size_t i = 0; i < count; ++i) cairo_line_to(cr_, toX(chart_.x[i]), toY(chart_.y[i]));
+        } else {
+            for (std::size_t column = 0; column < columns; ++column) {
+                const std::size_t first = column * count / columns;
+                const std::size_t last = (column + 1) * count / columns;
+                const auto begin = chart_.y.begin();
+                const auto [low, high] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(first),
+                                                             begin + static_cast<std::ptrdiff_t>(last));
+                cairo_line_to(cr_, toX(chart_.x[first]), toY(*low));
+                cairo_line_to(cr_, toX(chart_.x[first]), toY(*high));
+            }
+        }
+        cairo_set_source_rgb(cr_, 0.11, 0.25, 0.55);
+        cairo_set_line_width(cr_, 1.3);
+        cairo_stroke(cr_);
+    }
+
+    void frame() {
+        ink(0.25);
+        cairo_set_line_width(cr_, 1.0);
+        cairo_rectangle(cr_, kLeft, kTop, kRight - kLeft, kBottom - kTop);
+        cairo_stroke(cr_);
+    }
+
+    // Labels stand upright over the frame, in the order of their marks and pushed apart, a thin line from
+    // each to its mark.
+    void marks() {
+        const double least = kLeft + 6.0, most = kRight - 4.0;
+        std::vector<const Mark*> shown;
+        for (const Mark& mark : chart_.marks) shown.push_back(&mark);
+        std::stable_sort(shown.begin(), shown.end(),
+                         [](const Mark* a, const Mark* b) { return a->y > b->y; });
+        const auto room = static_cast<std::size_t>((most - least) / kLabelSpacing);
+        if (shown.size() > room) shown.resize(room);
+        std::sort(shown.begin(), shown.end(), [](const Mark* a, const Mark* b) { return a->x < b->x; });
+
+        std::vector<double> places;
+        for (const Mark* mark : shown) {
+            const double free = places.empty() ? least : places.back() + kLabelSpacing;
+            places.push_back(std::max(toX(mark->x), free));
+        }
+        double free = most;
+        for (std::size_t i = places.size(); i-- > 0; free = places[i] - kLabelSpacing)
+            places[i] = std::min(places[i], free);
+
+        constexpr double kKnee = kTop - 6.0, kFoot = kTop - 18.0;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const double x = toX(shown[i]->x), y = toY(shown[i]->y);
+            cairo_set_source_rgb(cr_, 0.75, 0.3, 0.2);
+            cairo_set_line_width(cr_, 0.7);
+            cairo_move_to(cr_, x, y - 3.0);
+            cairo_line_to(cr_, x, kKnee);
+            cairo_line_to(cr_, places[i], kFoot);
+            cairo_stroke(cr_);
+            ink(0.1);
+            text(shown[i]->label, places[i] + 4.0, kFoot - 3.0, kTextSize, 0.0, -0.5 * std::numbers::pi);
+        }
+    }
+
+    void strip() {
+        if (chart_.strip.empty()) return;
+        const double width = (kRight - kLeft) / static_cast<double>(chart_.strip.size());
+        cairo_set_antialias(cr_, CAIRO_ANTIALIAS_NONE);  // or seams would show between the columns
+        for (std::size_t i = 0; i < chart_.strip.size();) {
+            std::size_t end = i + 1;
+            while (end < chart_.strip.size() && chart_.strip[end] == chart_.strip[i]) ++end;
+            const auto& [r, g, b] = chart_.strip[i];
+            cairo_set_source_rgb(cr_, r / 255.0, g / 255.0, b / 255.0);
+            cairo_rectangle(cr_, kLeft + width * static_cast<double>(i), kStripTop,
+                            width * static_cast<double>(end - i), kStripBottom - kStripTop);
+            cairo_fill(cr_);
+            i = end;
+        }
+        cairo_set_antialias(cr_, CAIRO_ANTIALIAS_DEFAULT);
+    }
+
+    cairo_t* cr_;
+    const Chart& chart_;
+    double xMin_, xMax_, yMax_;
+};
+
+cairo_status_t append(void* file, const unsigned char* bytes, unsigned size) {
+    return static_cast<image::PendingFile*>(file)->write(bytes, size) ? CAIRO_STATUS_SUCCESS
+                                                                      : CAIRO_STATUS_WRITE_ERROR;
+}
+
+void require(cairo_status_t status, const image::PendingFile& file) {
+    if (status != CAIRO_STATUS_SUCCESS) file.fail(cairo_status_to_string(status));
+}
+
+void draw(cairo_surface_t* surface, double scale, const Chart& chart, const image::PendingFile& file) {
+    const ContextPointer context(cairo_create(surface), &cairo_destroy);
+    cairo_scale(context.get(), scale, scale);
+    Drawing(context.get(), chart).run();
+    require(cairo_status(context.get()), file);
+}
+
+}  // namespace
+
+bool isChartFile(const std::filesystem::path& path) {
+    const std::string extension = extensionOf(path);
+    return extension == ".svg" || extension == ".png";
+}
+
+void writeChart(const std::filesystem::path& path, const Chart& chart) {
+    assert(isChartFile(path) && chart.x.size() >= 2 && chart.x.size() == chart.y.size());
+    image::PendingFile file(path);
+    if (extensionOf(path) == ".svg") {
+        const SurfacePointer surface(cairo_svg_surface_create_for_stream(append, &file, kWidth, kHeight),
+                                     &cairo_surface_destroy);
+        draw(surface.get(), 1.0, chart, file);
+        cairo_surface_finish(surface.get());
+        require(cairo_surface_status(surface.get()), file);
+    } else {
+        const SurfacePointer surface(
+            cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPixelsPerPoint * kWidth),
+                                       static_cast<int>(kPixelsPerPoint * kHeight)),
+            &cairo_surface_destroy);
+        draw(surface.get(), kPixelsPerPoint, chart, file);
+        require(cairo_surface_write_to_png_stream(surface.get(), append, &file), file);
+    }
+    file.commit();
+}
+
+}  // namespace fringe::plot

@@ -1,0 +1,96 @@
+// Charts as files: PNG by its pixels, SVG by its text.
+#include "plot/chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "image/pictures.hpp"
+#include "image/reader.hpp"
+
+namespace fringe::plot {
+namespace {
+
+using image::TestFolder;
+
+Chart chart() {
+    Chart chart;
+    chart.title = "title";
+    chart.xLabel = "across";
+    chart.yLabel = "up";
+    for (int i = 0; i <= 100; ++i) {
+        chart.x.push_back(i);
+        chart.y.push_back(i == 50 ? 10.0 : 0.0);
+    }
+    chart.marks = {{50.0, 10.0, "mark"}};
+    chart.strip = {{255, 0, 0}, {0, 0, 255}};
+    return chart;
+}
+
+std::string textOf(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST(Chart, KnowsItsFormats) {
+    EXPECT_TRUE(isChartFile("a.svg"));
+    EXPECT_TRUE(isChartFile("a.PNG"));
+    EXPECT_FALSE(isChartFile("a.csv"));
+    EXPECT_FALSE(isChartFile("svg"));
+}
+
+TEST(Chart, IsAPngWithTheStripsColoursBelowTheCurve) {
+    const TestFolder folder;
+    writeChart(folder / "a.png", chart());
+    const image::Picture picture = image::readImage(folder / "a.png");
+    EXPECT_EQ(picture.width, 1920U);
+    EXPECT_EQ(picture.height, 1080U);
+    // The strip is 20 points high, 10 above the lower edge, as wide as the frame.
+    const image::RgbPixel red = picture.at(400, 1040);
+    EXPECT_GT(red.r, 0.9F);
+    EXPECT_LT(red.b, 0.1F);
+    const image::RgbPixel blue = picture.at(1700, 1040);
+    EXPECT_GT(blue.b, 0.9F);
+    EXPECT_LT(blue.r, 0.1F);
+    EXPECT_GT(picture.at(5, 5).g, 0.99F);  // white around it
+}
+
+TEST(Chart, IsAnSvgOfLines) {
+    const TestFolder folder;
+    writeChart(folder / "a.svg", chart());
+    const std::string text = textOf(folder / "a.svg");
+    EXPECT_NE(text.find("<svg"), std::string::npos);
+    EXPECT_NE(text.find("</svg>"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+TEST(Chart, OfDarknessAndOfManySamplesIsDrawnAsWell) {
+    const TestFolder folder;
+    Chart dark = chart();
+    for (double& y : dark.y) y = 0.0;
+    dark.marks.clear();
+    writeChart(folder / "dark.svg", dark);
+    EXPECT_EQ(textOf(folder / "dark.svg").find("nan"), std::string::npos);
+
+    Chart many = chart();
+    many.x.clear();
+    many.y.clear();
+    for (int i = 0; i < 50000; ++i) {
+        many.x.push_back(i);
+        many.y.push_back(i == 31234 ? 10.0 : 1.0);
+    }
+    many.marks.assign(500, {20000.0, 1.0, "m"});
+    writeChart(folder / "many.svg", many);
+    // Two points to each quarter of a point of width, not fifty thousand.
+    EXPECT_LT(std::filesystem::file_size(folder / "many.svg"), 600'000U);
+}
+
+TEST(Chart, LeavesNothingWhereItCannotBeWritten) {
+    EXPECT_THROW(writeChart("/nonexistent/a.svg", chart()), image::FileError);
+}
+
+}  // namespace
+}  // namespace fringe::plot

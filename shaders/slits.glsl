@@ -292,6 +292,17 @@ vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throug
     return sum;
 }
 
+// What of an amplitude grating's light each slit sends in the direction of an order, or a little beside it where the light
+// spreads further than its image: `footX`, where the light comes from, then lies beyond the slits.
+float openShare(SlitGrating g, float order, float footX, float half_, float curvature, float wavelength_um) {
+    if (HAS_ORDER_SHARES != 0u && decided(g.orderCount) != 0u) return 1.0;
+    float image = half_ * abs(1.0 - g.convergence / curvature);
+    float spread = 0.5e-6 * wavelength_um / (half_ * curvature);
+    image *= image / (image + spread);                     // far away directions count from the middle
+    float beyond = footX - clamp(footX, -image, image);
+    return slitFactor(g.width_um * (order / g.period_um + beyond * curvature / wavelength_um));
+}
+
 // One wavelength in order `order` of wide slits: an image of the beam along the order's direction.
 float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, float order, float share, float wavelength_um,
                       float bandwidth) {
@@ -308,7 +319,7 @@ float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, fl
     float curvatureX = (1.0 - alpha * alpha) / range;
     float wavelength = wavelength_um * 1e-6;
     float curvatureY = v.conical * v.conical / range;
-    float value = share * g.irradiance * facing / gamma;
+    float value = share * openShare(g, order, footX, halfLit(g), curvatureX, wavelength_um) * g.irradiance * facing / gamma;
     if (hasRoundEdge(g, curvatureY)) {
         // Far from the disc there is nothing, and no strip need be summed.
         if (max(abs(footX), abs(footY)) > 1.5 * g.halfWidth + SPILL_REACH * sqrt(0.5 * wavelength / curvatureX)) return 0.0;
@@ -327,7 +338,7 @@ float orderIrradiance(SlitGrating g, GratingView v, vec3 offset, vec3 normal, fl
 float orderShare(SlitGrating g, uint line, float order) {
     float place = order - g.firstOrder;
     if (HAS_ORDER_SHARES == 0u || decided(g.orderCount) == 0u) {
-        return g.width_um / g.period_um * slitFactor(order * g.width_um / g.period_um);
+        return g.width_um / g.period_um;                   // times each slit's own pattern, openShare()
     }
     return place >= 0.0 && place < float(g.orderCount) ? tables[g.shares + line * g.orderCount + uint(place)] : 0.0;
 }

@@ -107,6 +107,8 @@ scene::Beam with(scene::Beam beam, auto change) {
 }
 
 const scene::Beam kTall = rectangularBeam(1.0 * mm, 400.0 * mm);
+const scene::Beam kDisc =
+    with(rectangularBeam(2.0 * mm, 2.0 * mm), [](auto& b) { b.profile = scene::BeamProfile::flat; });
 const scene::Beam kBroad = rectangularBeam(6.0 * mm, 400.0 * mm);
 
 // The device's response tables are made for 1e-3 of the peak (src/compile/slit_response.cpp). The pixels are
@@ -125,7 +127,29 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"fifty slits, order 1, red", slits(50, 0.5, 1.6), kTall, kDaylight, kRed, 0.4, 6e-4, kTables},
         Case{"fifty slits seen in gold", slits(50, 0.5, 1.6), kTall, kDaylight, kGrey, 0.34, 6e-4, kTables,
              true, 12, 1},
-        Case{"coarse, order 1", slits(50, 4, 8), kTall, kDaylight, kGrey, 0.06, 2e-4, kTables}));
+        // At the violet end lie the far side lobes of the undeviated light, of which the device has the mean.
+        Case{"coarse, order 1", slits(50, 4, 8), kTall, kDaylight, kGrey, 0.06, 2e-4, 1.2e-3}));
+
+// On both sides of every change of method: slits that cover 40 um (with the undeviated light in the table,
+// or apart from it), 16 slits in laser light (their sum, or an image of the beam for each order), beams of
+// discs whose slits are of like or unlike length. Where both sides are right there is no seam.
+INSTANTIATE_TEST_SUITE_P(
+    Seams, SlitsOnDevice,
+    ::testing::Values(
+        Case{"just narrow, undeviated", slits(20, 1, 1.999), kTall, kDaylight, kGrey, 0.0, 2e-4, kTables},
+        Case{"just wide, undeviated", slits(20, 1, 2.001), kTall, kDaylight, kGrey, 0.0, 2e-4, kTables},
+        Case{"just narrow, order 1", slits(20, 1, 1.999), kTall, kDaylight, kGrey, 0.27, 2e-4, kTables},
+        Case{"just wide, order 1", slits(20, 1, 2.001), kTall, kDaylight, kGrey, 0.27, 2e-4, kTables},
+        // In an image the slope of each slit's own pattern across an order is taken at one place: for an
+        // order as wide as a sixteenth of the way to the next, 2.3e-3 of the peak.
+        Case{"15 slits, laser", slits(15, 4, 8), kTall, optics::laser(550.0 * nm, {}), kGrey, 0.069, 1e-4,
+             1e-3},
+        Case{"16 slits, laser", slits(16, 4, 8), kTall, optics::laser(550.0 * nm, {}), kGrey, 0.069, 1e-4,
+             3e-3},
+        Case{"slits of like length", slits(30, 1, 2), kDisc, kDaylight, kGrey, 0.27, 1e-4, 2e-3, false, 3,
+             16},
+        Case{"slits of unlike length", slits(80, 1, 2), kDisc, kDaylight, kGrey, 0.27, 1e-4, 5e-3, false, 3,
+             16}));
 
 // A blazed grating, its efficiencies made up.
 const std::vector<scene::OrderEfficiency> kBlazed{{-1, optics::constantCurve(0.05)},

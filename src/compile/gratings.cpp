@@ -7,6 +7,7 @@
 
 #include "compile/slit_response.hpp"
 #include "optics/energy.hpp"
+#include "optics/orders.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -80,10 +81,8 @@ private:
 // Share of the beam that an order of the slits takes.
 double orderShare(const LitSlits& lit, int order, double wavelength_nm) {
     if (lit.orders.empty()) {
-        const double filled = lit.slits.width / lit.slits.period;
-        const double phase = std::numbers::pi * order * filled;
-        const double sinc = order == 0 ? 1.0 : std::sin(phase) / phase;
-        return filled * sinc * sinc;
+        const double fill = lit.slits.width / lit.slits.period;
+        return optics::orderEfficiency(fill, order) / fill;  // of what leaves
     }
     for (const scene::OrderEfficiency& given : lit.orders) {
         if (given.order == order) return optics::valueAt(given.efficiency, wavelength_nm);

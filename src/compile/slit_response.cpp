@@ -8,37 +8,27 @@
 #include <thread>
 
 #include "optics/energy.hpp"
+#include "optics/integrals.hpp"
 
 namespace fringe::compile {
 namespace {
 
 using std::numbers::pi;
 
-double sincSquared(double x) {
-    const double y = pi * x;
-    const double quotient = std::abs(y) < 1e-6 ? 1.0 : std::sin(y) / y;
-    return quotient * quotient;
-}
+using optics::sincSquared;
 
 double fejer(double count, double t) {
-    const double r = t - std::nearbyint(t);
-    const double denominator = count * std::sin(pi * r);
-    const double quotient = std::abs(count * r) < 1e-6 ? 1.0 : std::sin(pi * count * r) / denominator;
+    const double quotient = optics::arrayFactor(count, t) / count;
     return quotient * quotient;
 }
 
-// Integral of sinc^2 from 0 on: Simpson's rule once per process, then linear between the nodes (error 2e-6),
-// and from kLast on the tail 1/2 - 1/(2 pi^2 x), its ripple left out (2e-6).
+// Integral of sinc^2 from 0 on: tabulated, linear between the nodes (error 2e-6), and from kLast on the tail
+// 1/2 - 1/(2 pi^2 x), its ripple left out (2e-6).
 class SincSquaredIntegral {
 public:
     SincSquaredIntegral() {
-        values_.push_back(0.0);
-        for (int i = 0; i < kLast * kPerUnit; ++i) {
-            const double x = static_cast<double>(i) / kPerUnit, h = 1.0 / kPerUnit;
-            values_.push_back(values_.back() +
-                              h / 6.0 *
-                                  (sincSquared(x) + 4.0 * sincSquared(x + 0.5 * h) + sincSquared(x + h)));
-        }
+        for (int i = 0; i <= kLast * kPerUnit; ++i)
+            values_.push_back(0.5 * optics::centralShare(1.0 * i / kPerUnit));
     }
 
     double operator()(double x) const {

@@ -49,6 +49,11 @@ double sinc(double x) {
     return std::abs(y) < 1e-8 ? 1.0 : std::sin(y) / y;
 }
 
+double sincSquared(double x) {
+    const double amplitude = sinc(x);
+    return amplitude * amplitude;
+}
+
 double arrayFactor(double count, double t) {
     const double order = std::nearbyint(t);
     const double r = t - order;

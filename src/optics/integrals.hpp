@@ -8,6 +8,7 @@ namespace fringe::optics {
 
 // sin(pi x) / (pi x), 1 at 0.
 double sinc(double x);
+double sincSquared(double x);
 
 // sin(count pi t) / sin(pi t), with its sign; `count` at t = 0. Reduces t to the nearest order first, so it
 // holds to 1e-15 count^2 |t| next to every order.

@@ -3,16 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "optics/integrals.hpp"
+
 namespace fringe::optics {
 namespace {
 
 using std::numbers::pi;
-
-double sincSquared(double x) {
-    const double y = pi * x;
-    const double quotient = std::abs(y) < 1e-8 ? 1.0 : std::sin(y) / y;
-    return quotient * quotient;
-}
 
 double duty(const Track& track) {
     return track.pitWidth / track.pitch;

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "optics/energy.hpp"
+#include "compile/gratings.hpp"
 
 namespace fringe::cli {
 namespace {
@@ -44,17 +44,13 @@ struct HalfExtent {
 Json::Value describeGrating(const scene::Grating& grating) {
     const scene::Beam& beam = grating.beam;
     const dvec2 beamSize(beam.width / units::m, beam.height / units::m);
-    const double share = grating.efficiency
-                             ? *grating.efficiency
-                             : optics::openFraction(grating.aperture, beamSize.x, beamSize.y,
-                                                    static_cast<optics::BeamShape>(beam.profile));
     const dvec2 half = glm::min(std::visit(HalfExtent{}, grating.aperture), 0.5 * beamSize);
     const dvec2 fresnel = half * half / (kWavelength * kDistance);
 
     Json::Value json;
     json["model"] = "physical";
     json["beam_power_W"] = beam.power / units::W;
-    json["leaving_power_W"] = beam.power / units::W * share;
+    json["leaving_power_W"] = beam.power / units::W * compile::leavingShare(grating);
     json["fresnel_number_at_1_m"]["across"] = fresnel.x;
     json["fresnel_number_at_1_m"]["along"] = fresnel.y;
     return json;

@@ -27,21 +27,6 @@ float toFloat(double value) {
     return static_cast<float>(value);
 }
 
-// Power per area of the grating at the beam's middle.
-double centralIrradiance(const scene::Beam& beam) {
-    const double area = (beam.width / m) * (beam.height / m);
-    const double power = beam.power / W;
-    switch (beam.profile) {
-        case scene::BeamProfile::flat:
-            return 4.0 * power / (std::numbers::pi * area);
-        case scene::BeamProfile::gaussian:
-            return 8.0 * power / (std::numbers::pi * area);
-        case scene::BeamProfile::rectangle:
-            return power / area;
-    }
-    return 0.0;
-}
-
 device::uint profileOf(scene::BeamProfile profile) {
     switch (profile) {
         case scene::BeamProfile::flat:
@@ -63,20 +48,10 @@ void appendFollowed(const std::vector<SpectralSample>& samples, const std::vecto
     }
 }
 
-// What the film records of the samples, each divided by the share of its power that propagates.
-class Colors {
-public:
-    Colors(const LitSlits& lit, const SpectralTables& tables) : lit_(lit), tables_(tables) {}
-
-    glm::dvec3 of(const SpectralSample& sample, std::size_t reflectance) const {
-        const double share = lit_.propagatingShare(sample.wavelength_nm);
-        return sample.power / share * tables_.response(reflectance, sample.wavelength_nm);
-    }
-
-private:
-    const LitSlits& lit_;
-    const SpectralTables& tables_;
-};
+// What of each sample's power propagates when all of it leaves: the power divided by the share that would.
+void divideByShares(const LitSlits& lit, std::vector<SpectralSample>& samples) {
+    for (SpectralSample& sample : samples) sample.power /= lit.propagatingShare(sample.wavelength_nm);
+}
 
 // Share of the beam that an order of the slits takes.
 double orderShare(const LitSlits& lit, int order, double wavelength_nm) {
@@ -106,33 +81,32 @@ void appendShares(const std::vector<SpectralSample>& lines, const LitSlits& lit,
 }
 
 // [reflectance][line][...]
-void appendLines(const std::vector<SpectralSample>& lines, const Colors& colors, std::size_t reflectances,
+void appendLines(const std::vector<SpectralSample>& lines, const SpectralTables& tables,
                  std::vector<float>& values) {
-    for (std::size_t reflectance = 0; reflectance < reflectances; ++reflectance) {
-        std::vector<glm::dvec3> ofLines;
-        for (const SpectralSample& line : lines) ofLines.push_back(colors.of(line, reflectance));
-        appendFollowed(lines, ofLines, values);
+    for (std::size_t reflectance = 0; reflectance < tables.reflectances().size(); ++reflectance) {
+        std::vector<glm::dvec3> colors;
+        for (const SpectralSample& line : lines)
+            colors.push_back(line.power * tables.response(reflectance, line.wavelength_nm));
+        appendFollowed(lines, colors, values);
     }
 }
 
-// The continuous spectrum in coarse steps, for light that all wavelengths share the way of; the colours are
-// those of fine steps in order 0, divided between the coarse ones on either side. [reflectance][step][...];
-// returns how many steps there are.
-device::uint appendCoarse(const optics::Spectrum& spectrum, const LitSlits& lit, const Colors& colors,
-                          std::size_t reflectances, std::vector<float>& values) {
+// A spectrum in coarse steps, for light that all wavelengths share the way of; the colours are those of the
+// `fine` samples, divided between the coarse ones on either side. [reflectance][step][...]; returns how many
+// steps there are.
+device::uint appendCoarse(const std::vector<SpectralSample>& fine, const SpectralTables& tables,
+                          std::vector<float>& values) {
     const double step_nm = 1e3 * double{device::ZERO_ORDER_STEP_um};
     std::vector<SpectralSample> coarse;
     for (double at = optics::kShortestVisible_nm; at <= optics::kLongestVisible_nm; at += step_nm)
         coarse.push_back({at, 0.0});
-    const std::vector<SpectralSample> fine = continuousSamples(spectrum, 1.0);
-    for (std::size_t reflectance = 0; reflectance < reflectances; ++reflectance) {
+    for (std::size_t reflectance = 0; reflectance < tables.reflectances().size(); ++reflectance) {
         std::vector<glm::dvec3> sums(coarse.size(), glm::dvec3(0.0));
         for (const SpectralSample& sample : fine) {
             const double place = (sample.wavelength_nm - optics::kShortestVisible_nm) / step_nm;
             const auto i = std::min(static_cast<std::size_t>(place), coarse.size() - 2);
             const double next = place - static_cast<double>(i);
-            const glm::dvec3 color =
-                orderShare(lit, 0, sample.wavelength_nm) * colors.of(sample, reflectance);
+            const glm::dvec3 color = sample.power * tables.response(reflectance, sample.wavelength_nm);
             sums[i] += (1.0 - next) * color;
             sums[i + 1] += next * color;
         }
@@ -142,6 +116,12 @@ device::uint appendCoarse(const optics::Spectrum& spectrum, const LitSlits& lit,
 }
 
 }  // namespace
+
+double leavingShare(const scene::Grating& grating) {
+    if (grating.efficiency) return *grating.efficiency;
+    return optics::openFraction(grating.aperture, grating.beam.width / m, grating.beam.height / m,
+                                grating.beam.profile);
+}
 
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
@@ -156,11 +136,12 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     const bool isWide = extent > kWide;
 
     // Power per area that leaves, averaged over a period; where orders take their shares of it, that arrives.
-    double irradiance = centralIrradiance(beam) * (lit.orders.empty() ? slits.width / slits.period : 1.0);
+    double irradiance =
+        beam.power / W * optics::centralIrradiance(beam.width / m, beam.height / m, beam.profile);
+    if (lit.orders.empty()) irradiance *= slits.width / slits.period;
     if (grating.efficiency) {
         irradiance *=
-            *grating.efficiency / optics::openFraction(slits, beam.width / m, beam.height / m,
-                                                       static_cast<optics::BeamShape>(beam.profile));
+            *grating.efficiency / optics::openFraction(slits, beam.width / m, beam.height / m, beam.profile);
     }
 
     device::SlitGrating packed{};
@@ -184,8 +165,6 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     packed.period_um = toFloat(slits.period / um);
 
     const auto here = [&] { return static_cast<device::uint>(values.size()); };
-    const Colors colors(lit, tables);
-    const std::size_t reflectances = tables.reflectances().size();
     if (!spectrum.density.empty()) {
         const SlitResponse response = slitResponse(lit, spectrum, tables, !isWide);
         packed.firstU = toFloat(response.firstU);
@@ -194,14 +173,19 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
         packed.response = here();
         values.insert(values.end(), response.values.begin(), response.values.end());
         if (isWide) {
+            std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
+            divideByShares(lit, undeviated);
+            for (SpectralSample& sample : undeviated)
+                sample.power *= orderShare(lit, 0, sample.wavelength_nm);
             packed.zeroOrder = here();
-            packed.zeroOrderCount = appendCoarse(spectrum, lit, colors, reflectances, values);
+            packed.zeroOrderCount = appendCoarse(undeviated, tables, values);
         }
     }
-    const std::vector<SpectralSample> lines = lineSamples(spectrum);
+    std::vector<SpectralSample> lines = lineSamples(spectrum);
+    divideByShares(lit, lines);
     packed.lines = here();
     packed.lineCount = static_cast<device::uint>(lines.size());
-    appendLines(lines, colors, reflectances, values);
+    appendLines(lines, tables, values);
     appendShares(lines, lit, packed, values);
     return packed;
 }

@@ -9,6 +9,10 @@
 
 namespace fringe::compile {
 
+// Share of the beam's power that leaves: the efficiency that the scene states, else what the aperture lets
+// through. Orders with efficiencies of their own share what the slits let through, and are not counted here.
+double leavingShare(const scene::Grating& grating);
+
 // Appends to `values` what the device reads beside the record; `tables` must know all reflectances.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "compile/gratings.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 #include "optics/mask_spectrum.hpp"
@@ -313,15 +314,11 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     }
     assert(cellExtent > 0.0);
 
-    const double passing = grating.efficiency
-                               ? *grating.efficiency
-                               : optics::openFraction(grating.aperture, beam.width / m, beam.height / m,
-                                                      static_cast<optics::BeamShape>(beam.profile));
     Shares shares(shareStep_nm(cellExtent, packed.isLattice != 0), [&](Length wavelength) {
         return maskSpectrum ? maskSpectrum->propagatingShare(wavelength, incoming.x, incoming.y)
                             : optics::propagatingShare(grating.aperture, wavelength, incoming.x, incoming.y);
     });
-    const SpectrumPacker packer{beam.power / W * passing * peak / area, shares, tables};
+    const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, shares, tables};
 
     // A source so wide that it hides the fringes between the cells is seen as points further apart than
     // these.

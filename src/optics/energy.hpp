@@ -21,12 +21,15 @@ namespace fringe::optics {
 double propagatingShare(const Aperture& aperture, units::Length wavelength, double alphaIn, double betaIn);
 
 // Profile of a beam: a flat or Gaussian disc, a flat rectangle.
-enum class BeamShape { flat, gaussian, rectangle };
+enum class BeamProfile { flat, gaussian, rectangle };
+
+// Power per area, 1/m^2, in the middle of a beam of one watt; sizes as below.
+double centralIrradiance(double beamWidth, double beamHeight, BeamProfile profile);
 
 // Share of a beam's power that an aperture in its middle lets through. `beamWidth` lies across the slits,
 // `beamHeight` along them, in metres: diameters of the disc, 1/e^2 diameters of the Gaussian (discs are
 // circular: the width counts). Slits reach past the beam along their length; one that lies outside lets
 // nothing through. Other openings have to lie inside a flat beam.
-double openFraction(const Aperture& aperture, double beamWidth, double beamHeight, BeamShape shape);
+double openFraction(const Aperture& aperture, double beamWidth, double beamHeight, BeamProfile profile);
 
 }  // namespace fringe::optics

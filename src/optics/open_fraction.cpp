@@ -19,23 +19,23 @@ using units::m;
 struct Profile {
     double width;
     double height;
-    BeamShape shape;
+    BeamProfile shape;
 };
 
 // Irradiance at a point, per watt.
 double irradiance(const Profile& beam, dvec2 at) {
-    if (beam.shape == BeamShape::rectangle) return 1.0 / (beam.width * beam.height);
+    if (beam.shape == BeamProfile::rectangle) return 1.0 / (beam.width * beam.height);
     const double area = 0.25 * pi * beam.width * beam.width;
-    if (beam.shape == BeamShape::flat) return 1.0 / area;
+    if (beam.shape == BeamProfile::flat) return 1.0 / area;
     return 2.0 / area * std::exp(-8.0 * glm::dot(at, at) / (beam.width * beam.width));
 }
 
 // Share of the power at x' < x.
 double upTo(const Profile& beam, double x) {
     const double place = 2.0 * x / beam.width;
-    if (beam.shape == BeamShape::gaussian) return 0.5 * (1.0 + std::erf(std::sqrt(2.0) * place));
+    if (beam.shape == BeamProfile::gaussian) return 0.5 * (1.0 + std::erf(std::sqrt(2.0) * place));
     const double inside = std::clamp(place, -1.0, 1.0);
-    if (beam.shape == BeamShape::rectangle) return 0.5 * (1.0 + inside);
+    if (beam.shape == BeamProfile::rectangle) return 0.5 * (1.0 + inside);
     return 0.5 + (inside * std::sqrt(1.0 - inside * inside) + std::asin(inside)) / pi;
 }
 
@@ -52,13 +52,13 @@ double fractionOf(const Slits& slits, const Profile& beam) {
 
 double fractionOf(const CircularAperture& circle, const Profile& beam) {
     const double outer = (circle.diameter / m) / beam.width, inner = (circle.innerDiameter / m) / beam.width;
-    if (beam.shape != BeamShape::gaussian) return area(circle) * irradiance(beam, dvec2(0.0));
+    if (beam.shape != BeamProfile::gaussian) return area(circle) * irradiance(beam, dvec2(0.0));
     return std::exp(-2.0 * inner * inner) - std::exp(-2.0 * outer * outer);
 }
 
 // Green's theorem: the integral of the beam across x up to the edge, around the edge.
 double fractionOf(const PolygonalAperture& polygon, const Profile& beam) {
-    if (beam.shape != BeamShape::gaussian) return area(polygon) * irradiance(beam, dvec2(0.0));
+    if (beam.shape != BeamProfile::gaussian) return area(polygon) * irradiance(beam, dvec2(0.0));
     static const GaussRule rule = gaussLegendre(12);
     double sum = 0.0;
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -84,7 +84,7 @@ double fractionOf(const RectangularAperture& rectangle, const Profile& beam) {
 // Cell by cell, with the beam a parabola over each: relative error (cell/beam)^4.
 double fractionOf(const LatticeAperture& lattice, const Profile& beam) {
     const Moments cell = moments(lattice.cell);
-    const double curvature = beam.shape == BeamShape::gaussian ? 16.0 / (beam.width * beam.width) : 0.0;
+    const double curvature = beam.shape == BeamProfile::gaussian ? 16.0 / (beam.width * beam.width) : 0.0;
     double sum = 0.0;
     for (std::uint32_t i = 0; i < lattice.firstCount; ++i) {
         for (std::uint32_t j = 0; j < lattice.secondCount; ++j) {
@@ -115,8 +115,12 @@ double fractionOf(const MaskAperture& mask, const Profile& beam) {
 
 }  // namespace
 
-double openFraction(const Aperture& aperture, double beamWidth, double beamHeight, BeamShape shape) {
-    const Profile beam{beamWidth, beamHeight, shape};
+double centralIrradiance(double beamWidth, double beamHeight, BeamProfile profile) {
+    return irradiance({beamWidth, beamHeight, profile}, dvec2(0.0));
+}
+
+double openFraction(const Aperture& aperture, double beamWidth, double beamHeight, BeamProfile profile) {
+    const Profile beam{beamWidth, beamHeight, profile};
     return std::visit([&](const auto& opening) { return fractionOf(opening, beam); }, aperture);
 }
 

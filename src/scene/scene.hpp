@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "optics/aperture.hpp"
+#include "optics/energy.hpp"
 #include "optics/spectrum.hpp"
 #include "units/units.hpp"
 
@@ -224,7 +225,7 @@ struct ThesisGrating {
     Faults faults;
 };
 
-enum class BeamProfile { flat, gaussian, rectangle };
+using optics::BeamProfile;
 
 // What falls on a grating: collimated, or converging where it is focused.
 struct Beam {

@@ -19,16 +19,16 @@ using std::numbers::pi;
 constexpr double kBeam = 2e-3;
 
 // Per watt, at a point of a beam of kBeam.
-double irradiance(BeamShape shape, dvec2 at) {
+double irradiance(BeamProfile shape, dvec2 at) {
     const double place = 2.0 * glm::length(at) / kBeam;
-    if (shape == BeamShape::gaussian) return 8.0 / (pi * kBeam * kBeam) * std::exp(-2.0 * place * place);
-    if (shape == BeamShape::flat) return place < 1.0 ? 4.0 / (pi * kBeam * kBeam) : 0.0;
+    if (shape == BeamProfile::gaussian) return 8.0 / (pi * kBeam * kBeam) * std::exp(-2.0 * place * place);
+    if (shape == BeamProfile::flat) return place < 1.0 ? 4.0 / (pi * kBeam * kBeam) : 0.0;
     return std::abs(at.x) < 0.5 * kBeam && std::abs(at.y) < kBeam ? 1.0 / (2.0 * kBeam * kBeam) : 0.0;
 }
 
 // Midpoint sum over a square of `size` of what `isOpen` at a point.
 template <class IsOpen>
-double summed(BeamShape shape, double size, IsOpen isOpen) {
+double summed(BeamProfile shape, double size, IsOpen isOpen) {
     constexpr int kSteps = 2000;
     const double step = size / kSteps;
     double sum = 0.0;
@@ -41,19 +41,20 @@ double summed(BeamShape shape, double size, IsOpen isOpen) {
     return sum;
 }
 
-constexpr BeamShape kShapes[] = {BeamShape::flat, BeamShape::gaussian, BeamShape::rectangle};
+constexpr BeamProfile kShapes[] = {BeamProfile::flat, BeamProfile::gaussian, BeamProfile::rectangle};
 
 // Few slits in a large disc: 4 count width/(pi diameter).
 TEST(OpenFraction, OfFewSlits) {
-    EXPECT_NEAR(openFraction(Slits{5, 1 * um, 2 * um}, 5e-3, 5e-3, BeamShape::flat), 4.0 * 5e-6 / (pi * 5e-3),
+    EXPECT_NEAR(openFraction(Slits{5, 1 * um, 2 * um}, 5e-3, 5e-3, BeamProfile::flat),
+                4.0 * 5e-6 / (pi * 5e-3),
                 1e-9);  // 1e-6 of it: the chord is shorter off the middle
-    EXPECT_NEAR(openFraction(Slits{5, 1 * um, 2 * um}, 5e-3, 1e-3, BeamShape::rectangle), 1e-3, 1e-15);
+    EXPECT_NEAR(openFraction(Slits{5, 1 * um, 2 * um}, 5e-3, 1e-3, BeamProfile::rectangle), 1e-3, 1e-15);
 }
 
 TEST(OpenFraction, OfSlitsPartlyOutsideTheBeam) {
     // 30 slits of 80 um, 100 um apart: 3 mm, of which the beam holds two.
     const Slits slits{30, 80 * um, 100 * um};
-    for (const BeamShape shape : kShapes) {
+    for (const BeamProfile shape : kShapes) {
         const double expected = summed(shape, 3.0 * kBeam, [&](dvec2 at) {
             const double place = at.x / 100e-6 - 0.5;
             return std::abs(place - std::nearbyint(place)) < 0.4 && std::abs(at.x) < 15 * 100e-6;
@@ -62,14 +63,15 @@ TEST(OpenFraction, OfSlitsPartlyOutsideTheBeam) {
                     2e-3);  // rows of 3 um at the edges
     }
     // A grating that fills the beam passes width/period of it.
-    EXPECT_NEAR(openFraction(Slits{100'000, 0.4 * um, 1 * um}, kBeam, kBeam, BeamShape::gaussian), 0.4, 1e-9);
+    EXPECT_NEAR(openFraction(Slits{100'000, 0.4 * um, 1 * um}, kBeam, kBeam, BeamProfile::gaussian), 0.4,
+                1e-9);
 }
 
 TEST(OpenFraction, OfOpeningsInTheMiddle) {
     const RectangularAperture rectangle{0.6 * mm, 1.2 * mm};
     const CircularAperture ring{1.6 * mm, 0.4 * mm};
     const PolygonalAperture square{{{0.0, -1e-3}, {1e-3, 0.0}, {0.0, 1e-3}, {-1e-3, 0.0}}};
-    for (const BeamShape shape : kShapes) {
+    for (const BeamProfile shape : kShapes) {
         EXPECT_NEAR(
             openFraction(rectangle, kBeam, 2.0 * kBeam, shape),
             summed(shape, 2e-3, [](dvec2 at) { return std::abs(at.x) < 0.3e-3 && std::abs(at.y) < 0.6e-3; }),
@@ -83,14 +85,14 @@ TEST(OpenFraction, OfOpeningsInTheMiddle) {
                     2e-3);
     }
     // Of a Gaussian: closed in the rectangle's two directions.
-    EXPECT_NEAR(openFraction(rectangle, kBeam, kBeam, BeamShape::gaussian),
+    EXPECT_NEAR(openFraction(rectangle, kBeam, kBeam, BeamProfile::gaussian),
                 std::erf(std::sqrt(2.0) * 0.3) * std::erf(std::sqrt(2.0) * 0.6), 1e-12);
 }
 
 TEST(OpenFraction, OfLatticesAndMasksIsTheSumOfTheirCells) {
     const LatticeAperture lattice{
         RectangularAperture{0.1 * mm, 0.06 * mm}, {2e-4, 0}, {0.3e-4, 1.5e-4}, 5, 6};
-    for (const BeamShape shape : kShapes) {
+    for (const BeamProfile shape : kShapes) {
         double cells = 0.0;
         for (int i = 0; i < 5; ++i) {
             for (int j = 0; j < 6; ++j) {
@@ -105,9 +107,9 @@ TEST(OpenFraction, OfLatticesAndMasksIsTheSumOfTheirCells) {
     }
     // The lower left pixel of 2 x 2 is open, at half the amplitude: a quarter of the power on it.
     const MaskAperture mask{2, 2, 10 * um, {0.0F, 0.0F, 0.5F, 0.0F}};
-    EXPECT_NEAR(openFraction(mask, kBeam, kBeam, BeamShape::gaussian),
+    EXPECT_NEAR(openFraction(mask, kBeam, kBeam, BeamProfile::gaussian),
                 0.25 * 1e-10 * 8.0 / (pi * kBeam * kBeam), 1e-8);
-    EXPECT_NEAR(openFraction(mask, kBeam, kBeam, BeamShape::rectangle), 0.25 * 1e-10 / (kBeam * kBeam),
+    EXPECT_NEAR(openFraction(mask, kBeam, kBeam, BeamProfile::rectangle), 0.25 * 1e-10 / (kBeam * kBeam),
                 1e-18);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "compile/number.hpp"
 #include "optics/track.hpp"
 
 namespace fringe::compile {
@@ -17,13 +18,6 @@ constexpr int kMostOrders = 96;
 
 // With so many orders the evanescent ones carry nothing that matters.
 constexpr int kManyOrders = 24;
-
-float toFloat(double value) {
-    return static_cast<float>(value);
-}
-device::uint count(std::size_t size) {
-    return static_cast<device::uint>(size);
-}
 
 optics::Track trackOf(const scene::OpticalDisc& disc) {
     return {disc.pitch, disc.pitWidth, (disc.metal ? disc.coverIndex : 1.0) * disc.pitDepth, disc.pitShare};

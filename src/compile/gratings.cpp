@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "compile/number.hpp"
 #include "compile/slit_response.hpp"
 #include "optics/energy.hpp"
 #include "optics/orders.hpp"
@@ -22,10 +23,6 @@ constexpr Length kWide = 40.0 * um;
 // From this many on, the lines of wide slits are images of the beam, an order each; what the three nearest
 // orders leave out of the exact sum is 1 / (pi^2 count^2 1.5) of the peak.
 constexpr std::uint32_t kManySlits = 16;
-
-float toFloat(double value) {
-    return static_cast<float>(value);
-}
 
 device::uint profileOf(scene::BeamProfile profile) {
     switch (profile) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compile/gratings.hpp"
+#include "compile/number.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 #include "optics/mask_spectrum.hpp"
@@ -21,14 +22,6 @@ namespace {
 using namespace units;
 using glm::dvec2;
 using optics::kLongestVisible_nm, optics::kShortestVisible_nm;
-
-float toFloat(double value) {
-    return static_cast<float>(value);
-}
-
-device::uint here(const std::vector<float>& values) {
-    return static_cast<device::uint>(values.size());
-}
 
 // ---- shapes --------------------------------------------------------------------------------------
 
@@ -74,13 +67,13 @@ struct OpeningPacker {
         packed.size_um = {toFloat(circle.diameter / um), toFloat(inner)};
     }
     void operator()(const optics::PolygonalAperture& polygon) const {
-        const std::size_t count = polygon.vertices.size();
-        const bool isSymmetric = hasCentre(polygon) && count <= std::size_t{2} * device::FEW_EDGES;
+        const std::size_t edges = polygon.vertices.size();
+        const bool isSymmetric = hasCentre(polygon) && edges <= std::size_t{2} * device::FEW_EDGES;
         packed.opening = isSymmetric ? device::SYMMETRIC_OPENING : device::POLYGONAL_OPENING;
         packed.size_um = {toFloat(1e12 * optics::area(polygon)), 0.0F};
         packed.extent_um = toFloat(1e6 * extentOf(polygon));
-        packed.table = here(values);
-        packed.edgeCount = static_cast<device::uint>(isSymmetric ? count / 2 : count);
+        packed.table = count(values.size());
+        packed.edgeCount = count(isSymmetric ? edges / 2 : edges);
         for (const dvec2& vertex : polygon.vertices) {
             values.push_back(toFloat(1e6 * vertex.x));
             values.push_back(toFloat(1e6 * vertex.y));
@@ -292,7 +285,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         packed.opening = device::MASK_OPENING;
         packed.size_um = {toFloat(maskSpectrum->columns()), toFloat(maskSpectrum->rows())};
         packed.pixel_um = toFloat(mask->pixel / um);
-        packed.table = here(values);
+        packed.table = count(values.size());
         const std::vector<float> table = maskTable(*maskSpectrum);
         values.insert(values.end(), table.begin(), table.end());
         cellExtent = wholeExtent = extentOf(*mask);
@@ -340,8 +333,8 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         waves = packer.continuum(spectrum.density, wavenumbers);
     }
     for (const SpectralSample& line : lineSamples(spectrum)) waves.push_back(packer.line(line));
-    packed.sampleCount = static_cast<device::uint>(waves.size() * points.size());
-    packed.samples = here(values);
+    packed.sampleCount = count(waves.size() * points.size());
+    packed.samples = count(values.size());
     appendSamples(waves, points, values);
     return packed;
 }

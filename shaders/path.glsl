@@ -22,33 +22,65 @@ struct Sample {
     uint dimension;     // next free pair of the sample pattern
 };
 
-// Which of 32 lights from `first` on may reach the point, a bit each: gratings drop out by their hemisphere and band.
+// Where light falls, and what arrives there from one light.
+struct Arrival {
+    vec3 value;          // of the sample, unless something is in the way
+    vec3 direction;      // towards the light, unit
+    float distance;
+    bool nonFinite;
+};
+
+void add(Arrival arrival, Surface surface, vec3 normal, float travelled, inout Sample sample_) {
+    vec3 side = dot(arrival.direction, normal) >= 0.0 ? normal : -normal;
+    // The last 1e-4 of the way is the light's own surface.
+    bool lit = max(max(arrival.value.x, arrival.value.y), arrival.value.z) > 0.0 || arrival.nonFinite;
+    if (lit && !occluded(leave(surface.position, side, travelled), arrival.direction, arrival.distance * 0.9999)) {
+        sample_.radiance += arrival.value;
+        sample_.nonFinite = sample_.nonFinite || arrival.nonFinite;
+    }
+}
+
+// Light i, or a part of it, at a diffuse surface or the track of a disc.
+Arrival fromLight(uint i, uint part, Surface surface, vec3 normal, Material material, TrackView view, Path path, Sample sample_) {
+    vec2 random = vec2(0.5);
+    if (HAS_SEVERAL_SAMPLES != 0u) random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
+    Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
+    vec3 value = vec3(0.0);
+    if (OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC) {
+        if (incident.irradiance > 0.0) {
+            value = discValue(opticalDiscAt(material.row), view, normal, lightAt(i), surface.position, part, random.x, incident,
+                              path.throughput);
+        }
+    } else if (incident.irradiance > 0.0) {
+        value = material.value * 0.318309886 * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
+    }
+    return Arrival(value, incident.direction, incident.distance, false);
+}
+
+// Which of 32 gratings from `first` on may reach the point, a bit each: they drop out by their hemisphere and band. Thesis
+// gratings come first, then slits, then other openings.
 // This loop is cheap and the same for all invocations, the one over the bits is costly and runs as often as the
 // invocation with most bits needs: SIMD drivers execute both sides of an `if`, but leave a loop when all are done.
 uint candidates(uint first, vec3 position) {
-    uint lightsHere = lightCount();
     uint bits = 0u;
-    if (LIGHT_COUNT <= FEW && GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW && OPENING_GRATING_COUNT <= FEW &&
-        LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT <= 32u) {
+    if (GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW && OPENING_GRATING_COUNT <= FEW &&
+        GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT <= 32u) {
         // All in the first 32, at constant places.
-        bits = (1u << LIGHT_COUNT) - 1u;
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
-            if (reachesBand(gratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + i);
+            if (reachesBand(gratingAt(i), position)) bits |= 1u << i;
         }
         [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
-            if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (LIGHT_COUNT + GRATING_COUNT + i);
+            if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + i);
         }
         [[unroll]] for (uint i = 0u; i < OPENING_GRATING_COUNT; ++i) {
-            uint bit = LIGHT_COUNT + GRATING_COUNT + SLIT_GRATING_COUNT + i;
-            if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << bit;
+            if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + SLIT_GRATING_COUNT + i);
         }
     } else {
-        uint thesis = lightsHere + gratingCount();
+        uint thesis = gratingCount();
         uint slits = thesis + slitGratingCount();
         uint last = min(slits + openingGratingCount(), first + 32u);
-        for (uint i = first; i < min(last, lightsHere); ++i) bits |= 1u << (i - first);
-        for (uint i = max(first, lightsHere); i < min(last, thesis); ++i) {
-            if (reachesBand(gratingAt(i - lightsHere), position)) bits |= 1u << (i - first);
+        for (uint i = first; i < min(last, thesis); ++i) {
+            if (reachesBand(gratingAt(i), position)) bits |= 1u << (i - first);
         }
         for (uint i = max(first, thesis); i < min(last, slits); ++i) {
             if (reachesSlits(slitGratingAt(i - thesis), position)) bits |= 1u << (i - first);
@@ -60,61 +92,33 @@ uint candidates(uint first, vec3 position) {
     return bits;
 }
 
-// Light i, or a part of it, at a diffuse surface or the track of a disc, unless something is in the way. Gratings of the thesis give their
-// value as it is; others go through the Lambertian BRDF. Discs diffract no light of gratings.
-void addLight(uint i, uint part, Surface surface, vec3 normal, float travelled, Material material, TrackView view, Path path, inout Sample sample_) {
-    bool isTrack = OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC;
+// Grating i at a diffuse surface. Those of the thesis give their value as it is; others go through the Lambertian BRDF.
+Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Material material, Path path) {
+    Arrival arrival;
+    arrival.nonFinite = false;
     float brdf = material.value * 0.318309886;
-    vec3 direction;
-    float distance_;
-    vec3 value;
-    bool nonFinite = false;
     float pixel = scene.frame.pixelAngle * (path.travelled + travelled) + scene.frame.pixelWidth;
-    if (OPENING_GRATING_COUNT > 0u && i >= lightCount() + gratingCount() + slitGratingCount()) {
-        OpeningGrating grating = openingGratingAt(i - lightCount() - gratingCount() - slitGratingCount());
+    vec3 from;
+    if (OPENING_GRATING_COUNT > 0u && i >= gratingCount() + slitGratingCount()) {
+        OpeningGrating grating = openingGratingAt(i - gratingCount() - slitGratingCount());
         vec3 offset = surface.position - grating.position;
-        value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
-        distance_ = length(offset);
-        direction = -offset / distance_;
-    } else if (SLIT_GRATING_COUNT > 0u && i >= lightCount() + gratingCount()) {
-        SlitGrating grating = slitGratingAt(i - lightCount() - gratingCount());
+        arrival.value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        from = grating.position;
+    } else if (SLIT_GRATING_COUNT > 0u && i >= gratingCount()) {
+        SlitGrating grating = slitGratingAt(i - gratingCount());
         vec3 offset = surface.position - grating.position;
-        value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
-        vec3 from = grating.position + clamp(viewFrom(grating, offset).footY, -grating.halfHeight, grating.halfHeight) * grating.along;
-        direction = from - surface.position;
-        distance_ = length(direction);
-        direction /= distance_;
-    } else if (GRATING_COUNT > 0u && i >= lightCount()) {
-        ThesisGrating grating = gratingAt(i - lightCount());
+        arrival.value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        from = grating.position + clamp(viewFrom(grating, offset).footY, -grating.halfHeight, grating.halfHeight) * grating.along;
+    } else {
+        ThesisGrating grating = gratingAt(i);
         vec3 offset = surface.position - grating.position;
-        value = xyzFromLinearSrgb(thesisGratingValue(grating, offset, nonFinite) * throughputOfPrimaries(path.throughput));
-        distance_ = length(offset);
-        direction = -offset / distance_;
-    } else if (LIGHT_COUNT > 0u) {
-        vec2 random = vec2(0.5);
-        if (HAS_SEVERAL_SAMPLES != 0u) {
-            random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
-        }
-        Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
-        value = vec3(0.0);
-        if (OPTICAL_DISC_COUNT > 0u && isTrack) {
-            if (incident.irradiance > 0.0) {
-                value = discValue(opticalDiscAt(material.row), view, normal, lightAt(i), surface.position, part, random.x, incident,
-                                  path.throughput);
-            }
-        } else if (incident.irradiance > 0.0) {
-            value = brdf * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
-        }
-        distance_ = incident.distance;
-        direction = incident.direction;
+        arrival.value = xyzFromLinearSrgb(thesisGratingValue(grating, offset, arrival.nonFinite) * throughputOfPrimaries(path.throughput));
+        from = grating.position;
     }
-    vec3 side = dot(direction, normal) >= 0.0 ? normal : -normal;
-    // The last 1e-4 of the way is the light's own surface.
-    bool lit = max(max(value.x, value.y), value.z) > 0.0 || nonFinite;
-    if (lit && !occluded(leave(surface.position, side, travelled), direction, distance_ * 0.9999)) {
-        sample_.radiance += value;
-        sample_.nonFinite = sample_.nonFinite || nonFinite;
-    }
+    vec3 way = from - surface.position;
+    arrival.distance = length(way);
+    arrival.direction = way / arrival.distance;
+    return arrival;
 }
 
 // Light that discs send on to a matt surface.
@@ -140,28 +144,31 @@ void addCastLight(Surface surface, vec3 normal, Material material, Path path, in
 }
 
 void addDirectLight(Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
-    if (LIGHT_COUNT == 0u && GRATING_COUNT == 0u && SLIT_GRATING_COUNT == 0u && OPENING_GRATING_COUNT == 0u) return;
-    uint count = lightCount() + gratingCount() + slitGratingCount() + openingGratingCount();
-    TrackView view;
-    if (OPTICAL_DISC_COUNT > 0u) {
-        float toEye = path.travelled + travelled;
-        view = trackView(surface.local, normal, path.direction, toEye, scene.frame.pixelAngle * toEye + scene.frame.pixelWidth);
-        if (decided(material.kind) == OPTICAL_DISC) count = lightCount();
-    }
-    for (uint first = 0u; first < count; first += 32u) {
-        uint bits = candidates(first, surface.position);
-        if (OPTICAL_DISC_COUNT > 0u && count - first < 32u) bits &= (1u << (count - first)) - 1u;   // of a disc's track
-        for (; bits != 0u; bits &= bits - 1u) {
-            uint i = first + uint(findLSB(bits));
-            uint parts = 1u;
-            if (OPTICAL_DISC_COUNT > 0u && LIGHT_COUNT > 0u && decided(material.kind) == OPTICAL_DISC) parts = partsOf(lightAt(i));
+    bool isTrack = OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC;
+    if (LIGHT_COUNT > 0u) {
+        TrackView view;
+        if (OPTICAL_DISC_COUNT > 0u) {
+            float toEye = path.travelled + travelled;
+            view = trackView(surface.local, normal, path.direction, toEye, scene.frame.pixelAngle * toEye + scene.frame.pixelWidth);
+        }
+        for (uint i = 0u; i < lightCount(); ++i) {
+            uint parts = isTrack ? partsOf(lightAt(i)) : 1u;
             for (uint part = 0u; part < parts; ++part) {
-                addLight(i, part, surface, normal, travelled, material, view, path, sample_);
+                add(fromLight(i, part, surface, normal, material, view, path, sample_), surface, normal, travelled, sample_);
+            }
+        }
+        if (CASTING_DISC_COUNT > 0u && decided(material.kind) == DIFFUSE) addCastLight(surface, normal, material, path, sample_);
+        sample_.dimension += lightCount();
+    }
+    if (GRATING_COUNT > 0u || SLIT_GRATING_COUNT > 0u || OPENING_GRATING_COUNT > 0u) {
+        uint count = isTrack ? 0u : gratingCount() + slitGratingCount() + openingGratingCount();   // discs diffract no light of gratings
+        for (uint first = 0u; first < count; first += 32u) {
+            for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
+                uint i = first + uint(findLSB(bits));
+                add(fromGrating(i, surface, normal, travelled, material, path), surface, normal, travelled, sample_);
             }
         }
     }
-    if (CASTING_DISC_COUNT > 0u && decided(material.kind) == DIFFUSE) addCastLight(surface, normal, material, path, sample_);
-    sample_.dimension += lightCount();
 }
 
 void tracePath(Path path, inout Sample sample_) {

@@ -59,4 +59,5 @@
     X(54, HAS_DISC_LINES)           \
     X(55, HAS_HUBS)                 \
     X(56, HAS_GROOVES)              \
-    X(57, CASTING_DISC_COUNT)
+    X(57, CASTING_DISC_COUNT)       \
+    X(58, HAS_RIPPLES)

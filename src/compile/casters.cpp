@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "compile/extent.hpp"
+
 namespace fringe::compile {
 namespace {
 
@@ -13,57 +15,6 @@ using glm::dot;
 using glm::dvec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// The interval that a shape covers along a direction.
-struct Interval {
-    double low, high;
-};
-
-Interval around(double middle, double extent) {
-    return {middle - extent, middle + extent};
-}
-Interval join(Interval a, Interval b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
-// A disc reaches r sin(angle between its axis and the direction) to either side.
-Interval discInterval(dvec3 center, dvec3 axis, double radius, dvec3 along) {
-    const double cosine = dot(axis, along);
-    return around(dot(center, along), radius * std::sqrt(std::max(0.0, 1.0 - cosine * cosine)));
-}
-
-struct IntervalAlong {
-    dvec3 along;  // unit
-
-    Interval operator()(const scene::Plane& s) const {
-        const bool parallel = glm::length(glm::cross(s.normal, along)) == 0.0;
-        return around(dot(s.point, along), parallel ? 0.0 : kInfinity);
-    }
-    Interval operator()(const scene::Rectangle& s) const {
-        return around(dot(s.center, along), std::abs(dot(s.u, along)) + std::abs(dot(s.v, along)));
-    }
-    Interval operator()(const scene::Disc& s) const {
-        return discInterval(s.center, s.normal, s.radius, along);
-    }
-    Interval operator()(const scene::Sphere& s) const { return around(dot(s.center, along), s.radius); }
-    Interval operator()(const scene::Box& s) const {
-        return around(dot(s.center, along),
-                      std::abs(dot(s.u, along)) + std::abs(dot(s.v, along)) + std::abs(dot(s.w, along)));
-    }
-    Interval operator()(const scene::Cylinder& s) const {
-        const dvec3 axis = glm::normalize(s.top - s.base);
-        return join(discInterval(s.base, axis, s.radius, along), discInterval(s.top, axis, s.radius, along));
-    }
-    Interval operator()(const scene::Cone& s) const {
-        const dvec3 axis = glm::normalize(s.base - s.apex);
-        return join(discInterval(s.base, axis, s.radius, along), around(dot(s.apex, along), 0.0));
-    }
-    Interval operator()(const scene::Triangle& s) const {
-        Interval all = around(dot(s.vertices[0], along), 0.0);
-        for (const dvec3& vertex : s.vertices) all = join(all, around(dot(vertex, along), 0.0));
-        return all;
-    }
-};
 
 // Where shadow rays to a light end. The shapes of area lights count as shapes.
 Interval lightInterval(const scene::Light& light, dvec3 along) {
@@ -86,26 +37,9 @@ Interval lightInterval(const scene::Light& light, dvec3 along) {
         light.model);
 }
 
-struct FlatPlane {
-    dvec3 point, normal;
-};
-
-std::optional<FlatPlane> planeOf(const scene::Shape& shape) {
-    if (const auto* s = std::get_if<scene::Plane>(&shape)) return FlatPlane{s->point, s->normal};
-    if (const auto* s = std::get_if<scene::Rectangle>(&shape)) {
-        return FlatPlane{s->center, glm::normalize(glm::cross(s->u, s->v))};
-    }
-    if (const auto* s = std::get_if<scene::Disc>(&shape)) return FlatPlane{s->center, s->normal};
-    if (const auto* s = std::get_if<scene::Triangle>(&shape)) {
-        return FlatPlane{s->vertices[0], glm::normalize(glm::cross(s->vertices[1] - s->vertices[0],
-                                                                   s->vertices[2] - s->vertices[0]))};
-    }
-    return std::nullopt;
-}
-
 bool isOnOneSide(const FlatPlane& plane, const std::vector<scene::Shape>& shapes, const scene::Scene& scene) {
     Interval all{kInfinity, -kInfinity};
-    for (const scene::Shape& shape : shapes) all = join(all, std::visit(IntervalAlong{plane.normal}, shape));
+    for (const scene::Shape& shape : shapes) all = join(all, extentAlong(shape, plane.normal));
     for (const scene::Light& light : scene.lights) all = join(all, lightInterval(light, plane.normal));
     // Walls that share an edge touch each other's plane up to the rounding of their coordinates.
     const double height = dot(plane.point, plane.normal);

@@ -8,6 +8,7 @@
 #include "compile/lights.hpp"
 #include "compile/materials.hpp"
 #include "compile/number.hpp"
+#include "compile/ripples.hpp"
 #include "compile/shapes.hpp"
 
 namespace fringe::compile {
@@ -151,6 +152,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     takeSamplesAtHand(out);
     if (!out.opticalDiscs.empty()) addDiscSpectra(tables, out);
     addCastingDiscs(scene, out);
+    out.ripples = ripplesShow(scene, frame, out.slitGratings);
     return out;
 }
 

@@ -30,6 +30,7 @@ struct CompiledScene {
     std::vector<device::SlitGrating> slitGratings;
     std::vector<device::OpeningGrating> openingGratings;
     std::vector<device::OpeningSample> openingSamples;  // if it fits in the uniform block
+    bool ripples = false;     // beams of slits may show the Fresnel ripple of their edges
     bool inBands = false;     // paths carry spectral bands: there are metals, or the film holds a spectrum
     bool isSpectrum = false;  // a band in each row: Measure::spectrum
     std::vector<device::OpticalDisc> opticalDiscs;
@@ -45,7 +46,8 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure:
 // The uniform block: the frame, and the arrays that have no more than FEW elements.
 device::SceneBlock sceneBlock(const CompiledScene& scene);
 
-// Which features the scene has. Pure; depends on the scene's structure, not on values.
+// Which features the scene has. Pure; depends on the scene's structure, and on values only where these make
+// certain that something never shows (shadows, ripples).
 device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera);
 
 }  // namespace fringe::compile

@@ -105,6 +105,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_GROOVES = std::any_of(compiled.opticalDiscs.begin(), compiled.opticalDiscs.end(),
                                    [](const device::OpticalDisc& d) { return d.grooveSlope > 0.0F; }),
         .CASTING_DISC_COUNT = compiled.castingDiscs,
+        .HAS_RIPPLES = compiled.ripples,
     };
 }
 

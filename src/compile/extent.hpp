@@ -1,0 +1,33 @@
+// Where a shape lies in the scene: the intervals that it covers, and the plane of a flat one.
+#pragma once
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace fringe::compile {
+
+// In metres along a direction. Empty if low > high.
+struct Interval {
+    double low, high;
+};
+
+inline Interval around(double middle, double extent) {
+    return {middle - extent, middle + extent};
+}
+inline Interval join(Interval a, Interval b) {
+    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+// What a shape covers along the unit vector `along`, exact.
+Interval extentAlong(const scene::Shape& shape, glm::dvec3 along);
+
+// Of a flat shape; `normal` is a unit vector.
+struct FlatPlane {
+    glm::dvec3 point, normal;
+};
+std::optional<FlatPlane> planeOf(const scene::Shape& shape);
+
+}  // namespace fringe::compile

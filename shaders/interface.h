@@ -101,6 +101,22 @@ struct Triangle {
     uint material;
 };
 
+// A node of the tree over the shapes of kinds that have more than FEW (src/compile/tree.hpp): the boxes of two children,
+// and what they are. The shader reads it as four texels.
+struct TreeNode {
+    vec3 lowLeft;
+    uint left;           // a node; or TREE_LEAF + (kind << TREE_KIND_SHIFT) + index of a shape
+    vec3 highLeft;
+    uint right;
+    vec3 lowRight;
+    uint unusedLow;      // fills the texel
+    vec3 highRight;
+    uint unusedHigh;
+};
+
+const uint TREE_LEAF = 0x80000000u;
+const uint TREE_KIND_SHIFT = 28u;
+
 // Slits of the thesis's model; reciprocal wavelengths as printed live in thesis.glsl.
 struct ThesisAperture {
     float width_um;

@@ -17,6 +17,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define HAS_HUBS 0u
 #endif
 
+#if !TREE
+#define TREE_DEPTH 0u
+#endif
+
 #include "sampler.glsl"
 #include "phase.glsl"
 #include "spectral.glsl"

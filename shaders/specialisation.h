@@ -1,6 +1,7 @@
 // Pipeline constants, declared once for both languages: X(id, NAME). All follow from the scene's structure
 // (src/compile/specialise.cpp), none from a value that a slider changes. A ..._COUNT is the number of such things, or
 // FEW + 1 if there are more than FEW; likewise ..._CASTERS, those that can throw a shadow. A HAS_... or IS_... is 0 or 1.
+// TREE_DEPTH is the longest way from the root of the tree of shapes to a leaf, 0 where there is no tree.
 #define FRINGE_SPECIALISATION(X) \
     X(0, PLANE_COUNT)               \
     X(1, RECTANGLE_COUNT)           \
@@ -60,4 +61,5 @@
     X(55, HAS_HUBS)                 \
     X(56, HAS_GROOVES)              \
     X(57, CASTING_DISC_COUNT)       \
-    X(58, HAS_RIPPLES)
+    X(58, HAS_RIPPLES)              \
+    X(59, TREE_DEPTH)

@@ -26,11 +26,12 @@ struct Surface {
     uint material;
 };
 
-// BODY for the first LAST of a kind that has COUNT: unrolled where there are few, a loop over all where there are many.
-#define FOR_EACH(COUNT, LAST, ARRAY, BODY)                                 \
+// BODY for the first LAST of a kind that has COUNT: unrolled where there are few, a loop over all where there are many and
+// no tree holds them.
+#define FOR_EACH(KIND, COUNT, LAST, ARRAY, BODY)                           \
     if (COUNT <= FEW) {                                                    \
         [[unroll]] for (uint i = 0u; i < LAST; ++i) { BODY }               \
-    } else {                                                               \
+    } else if (KIND == PLANE || TREE_DEPTH == 0u) {                        \
         for (uint i = 0u; i < uint(ARRAY.length()); ++i) { BODY }          \
     }
 
@@ -45,11 +46,16 @@ struct Surface {
     DO(CONE, CONE_COUNT, CONE_COUNT, cones, hitCone(coneAt(i), o, d))                                 \
     DO(TRIANGLE, TRIANGLE_COUNT, TRIANGLE_CASTERS, triangles, hitTriangle(triangleAt(i), o, d))
 
+#include "tree.glsl"
+
 Hit nearestHit(vec3 o, vec3 d) {
     Hit hit = Hit(INFINITY, NOTHING, 0u);
 #define KEEP_NEAREST(KIND, COUNT, CASTERS, ARRAY, DISTANCE) \
-    FOR_EACH(COUNT, COUNT, ARRAY, float t = DISTANCE; if (t > 0.0 && t < hit.t) hit = Hit(t, KIND, i);)
+    FOR_EACH(KIND, COUNT, COUNT, ARRAY, float t = DISTANCE; if (t > 0.0 && t < hit.t) hit = Hit(t, KIND, i);)
     FOR_EACH_KIND(KEEP_NEAREST)
+#if TREE
+    if (TREE_DEPTH > 0u) hitTree(o, d, false, hit);
+#endif
     return hit;
 }
 
@@ -57,8 +63,15 @@ Hit nearestHit(vec3 o, vec3 d) {
 bool occluded(vec3 o, vec3 d, float tMax) {
     bool blocked = false;
 #define NOTE_BLOCKER(KIND, COUNT, CASTERS, ARRAY, DISTANCE) \
-    FOR_EACH(COUNT, CASTERS, ARRAY, float t = DISTANCE; blocked = blocked || (t > 0.0 && t < tMax);)
+    FOR_EACH(KIND, COUNT, CASTERS, ARRAY, float t = DISTANCE; blocked = blocked || (t > 0.0 && t < tMax);)
     FOR_EACH_KIND(NOTE_BLOCKER)
+#if TREE
+    if (TREE_DEPTH > 0u) {
+        Hit blocker = Hit(blocked ? 0.0 : tMax, PLANE, 0u);
+        hitTree(o, d, true, blocker);
+        blocked = blocker.t < tMax;
+    }
+#endif
     return blocked;
 }
 

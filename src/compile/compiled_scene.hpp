@@ -5,6 +5,7 @@
 
 #include "compile/interface.hpp"
 #include "compile/spectral.hpp"
+#include "compile/tree.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
@@ -24,6 +25,7 @@ struct CompiledScene {
     std::vector<device::Cylinder> cylinders;
     std::vector<device::Cone> cones;
     std::vector<device::Triangle> triangles;
+    Tree tree;  // of the shapes whose kind has more than FEW
     std::vector<device::Material> materials;
     std::vector<device::Light> lights;
     std::vector<device::ThesisGrating> gratings;

@@ -24,6 +24,7 @@ static_assert(sizeof(Camera) == 76 && sizeof(Frame) == 124);
 static_assert(sizeof(FilmPixel) == 16);
 static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 36 && sizeof(Sphere) == 20);
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);
+static_assert(sizeof(TreeNode) == 64);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
 static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 148);
 static_assert(sizeof(OpeningGrating) == 148 && sizeof(OpeningSample) == 16);

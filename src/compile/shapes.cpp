@@ -1,11 +1,13 @@
 #include "compile/shapes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
 #include "compile/casters.hpp"
+#include "compile/extent.hpp"
 #include "compile/number.hpp"
 
 namespace fringe::compile {
@@ -66,12 +68,49 @@ std::optional<scene::Disc> clearHub(const scene::Object& object, const scene::Sc
                        shape->innerRadius};
 }
 
+// A shape and its place in the array of its kind.
+struct PlacedShape {
+    scene::Shape shape;
+    device::uint index;
+};
+
+// How many there are of the shape's kind so far.
+device::uint sizeOfKind(const scene::Shape& shape, const CompiledScene& out) {
+    const std::array sizes{out.planes.size(), out.rectangles.size(), out.discs.size(), out.spheres.size(),
+                           out.boxes.size(),  out.cylinders.size(),  out.cones.size(), out.triangles.size()};
+    static_assert(sizes.size() == std::variant_size_v<scene::Shape>);
+    return count(sizes.at(shape.index()));
+}
+
+// Over the shapes that lie in storage buffers: the loops over the others are unrolled. Planes have no box.
+Tree treeOf(const std::vector<PlacedShape>& placed, const CompiledScene& out) {
+    std::vector<TreeLeaf> leaves;
+    for (const auto& [shape, index] : placed) {
+        if (sizeOfKind(shape, out) <= device::FEW || std::holds_alternative<scene::Plane>(shape)) continue;
+        TreeLeaf leaf{count(shape.index()), index, {}, {}};
+        for (int axis = 0; axis < 3; ++axis) {
+            dvec3 along(0.0);
+            along[axis] = 1.0;
+            const Interval interval = extentAlong(shape, along);
+            leaf.low[axis] = interval.low;
+            leaf.high[axis] = interval.high;
+        }
+        leaves.push_back(leaf);
+    }
+    return buildTree(std::move(leaves));
+}
+
 }  // namespace
 
 void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, CompiledScene& out) {
     const std::vector<scene::Shape> shapes = allShapes(scene);
     const std::vector<bool> casters = shadowCasters(scene);
     std::vector<std::pair<scene::Disc, device::uint>> hubs;
+    std::vector<PlacedShape> placed;
+    const auto add = [&](const scene::Shape& shape, device::uint material) {
+        std::visit(ShapeCompiler{out, material}, shape);
+        placed.push_back({shape, sizeOfKind(shape, out) - 1});
+    };
     const auto addAll = [&](bool casting) {
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             if (casters[i] != casting) continue;
@@ -86,7 +125,7 @@ void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, Compi
                 if (hub->radius == std::get<scene::Disc>(shape).radius) continue;
                 std::get<scene::Disc>(shape).innerRadius = hub->radius;
             }
-            std::visit(ShapeCompiler{out, material}, shape);
+            add(shape, material);
         }
     };
     addAll(true);
@@ -95,8 +134,9 @@ void addShapes(const scene::Scene& scene, device::uint firstLightMaterial, Compi
     out.discCasters = count(out.discs.size());
     out.triangleCasters = count(out.triangles.size());
     addAll(false);
-    for (const auto& [hub, material] : hubs) ShapeCompiler{out, material}(hub);
+    for (const auto& [hub, material] : hubs) add(hub, material);
     out.clearHubs = !hubs.empty();
+    out.tree = treeOf(placed, out);
 }
 
 }  // namespace fringe::compile

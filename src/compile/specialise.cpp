@@ -106,6 +106,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
                                    [](const device::OpticalDisc& d) { return d.grooveSlope > 0.0F; }),
         .CASTING_DISC_COUNT = compiled.castingDiscs,
         .HAS_RIPPLES = compiled.ripples,
+        .TREE_DEPTH = compiled.tree.depth,
     };
 }
 

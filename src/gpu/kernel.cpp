@@ -42,6 +42,11 @@ vk::raii::DescriptorPool createPool(const Device& device, std::span<const Bindin
     return {device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes}};
 }
 
+vk::raii::BufferView createView(const Device& device, const Binding& binding) {
+    return {device.handle(),
+            vk::BufferViewCreateInfo({}, binding.buffer, kTexelFormat, binding.offset, binding.size)};
+}
+
 vk::raii::CommandBuffer createCommands(const Device& device) {
     return std::move(vk::raii::CommandBuffers(
         device.handle(), {*device.commandPool(), vk::CommandBufferLevel::ePrimary, 1})[0]);
@@ -108,11 +113,16 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::
         done_ = vk::raii::Fence(device.handle(), vk::FenceCreateInfo());
 
         std::vector<vk::DescriptorBufferInfo> buffers;
-        for (const Binding& binding : bindings)
+        std::vector<vk::BufferView> views(bindings.size());
+        for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+            const Binding& binding = bindings[i];
             buffers.emplace_back(binding.buffer, binding.offset, binding.size);
+            if (binding.type == vk::DescriptorType::eUniformTexelBuffer)
+                views[i] = *texels_.emplace_back(createView(device, binding));
+        }
         std::vector<vk::WriteDescriptorSet> writes;
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-            writes.emplace_back(*set_, i, 0, 1, bindings[i].type, nullptr, &buffers[i]);
+            writes.emplace_back(*set_, i, 0, 1, bindings[i].type, nullptr, &buffers[i], &views[i]);
         }
         device.handle().updateDescriptorSets(writes, nullptr);
     });

@@ -5,13 +5,18 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "gpu/buffer.hpp"
 
 namespace fringe::gpu {
 
+// Of texel buffers: four unsigned words, which every device reads.
+constexpr vk::Format kTexelFormat = vk::Format::eR32G32B32A32Uint;
+constexpr vk::DeviceSize kTexelBytes = 16;
+
 struct Binding {
-    vk::DescriptorType type;
+    vk::DescriptorType type;  // uniform, storage or uniform texel buffer
     vk::Buffer buffer;
     vk::DeviceSize offset;
     vk::DeviceSize size;
@@ -41,8 +46,9 @@ public:
 private:
     const Device& device_;
     vk::raii::DescriptorSetLayout bindings_;
-    vk::raii::PipelineLayout layout_;  // needs bindings_
-    vk::raii::Pipeline pipeline_;      // needs layout_
+    vk::raii::PipelineLayout layout_;           // needs bindings_
+    vk::raii::Pipeline pipeline_;               // needs layout_
+    std::vector<vk::raii::BufferView> texels_;  // of texel buffers
     vk::raii::DescriptorPool pool_;
     vk::raii::DescriptorSet set_;  // lives in pool_
     vk::raii::CommandBuffer commands_;

@@ -19,6 +19,9 @@
 #include "shaders/render_110.h"
 #include "shaders/render_111.h"
 #include "shaders/render_discs.h"
+#include "shaders/render_tree.h"
+#include "shaders/render_tree_discs.h"
+#include "shaders/render_tree_gratings.h"
 
 namespace fringe::render {
 namespace {
@@ -27,6 +30,11 @@ namespace {
 std::span<const std::uint32_t> variantFor(const compile::CompiledScene& scene) {
     static constexpr std::array<std::span<const std::uint32_t>, 8> kVariants{
         render_000, render_001, render_010, render_011, render_100, render_101, render_110, render_111};
+    if (scene.tree.depth > 0) {
+        if (scene.inBands) return render_tree_discs;
+        if (scene.slitGratings.empty() && scene.openingGratings.empty()) return render_tree;
+        return render_tree_gratings;
+    }
     if (!scene.opticalDiscs.empty()) return render_discs;
     const std::size_t bands = scene.inBands ? 4 : 0;
     const std::size_t slits = scene.slitGratings.empty() ? 0 : 2;

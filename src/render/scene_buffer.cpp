@@ -11,9 +11,11 @@ namespace {
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(const gpu::Device& device)
-        : alignment_(std::max(device.limits().minStorageBufferOffsetAlignment,
-                              device.limits().minUniformBufferOffsetAlignment)),
-          largest_(device.limits().maxStorageBufferRange) {}
+        : alignment_(std::max({device.limits().minStorageBufferOffsetAlignment,
+                               device.limits().minUniformBufferOffsetAlignment,
+                               device.limits().minTexelBufferOffsetAlignment})),
+          largest_(device.limits().maxStorageBufferRange),
+          mostTexels_(device.limits().maxTexelBufferElements) {}
 
     void addBlock(const device::SceneBlock& block) {
         layout_.block = block;
@@ -38,6 +40,19 @@ public:
         add(vk::DescriptorType::eStorageBuffer, elements.data(), size);
     }
 
+    // Only shaders that read a tree have its binding.
+    void addTree(const std::vector<device::TreeNode>& nodes) {
+        if (nodes.empty()) return;
+        const vk::DeviceSize size = nodes.size() * sizeof(device::TreeNode);
+        const vk::DeviceSize texels = size / gpu::kTexelBytes;
+        if (texels > mostTexels_) {
+            throw gpu::DeviceError(fmt::format(
+                "a tree of {} shapes takes {} texels, but this device reads at most {} of a buffer",
+                nodes.size() + 1, texels, mostTexels_));
+        }
+        add(vk::DescriptorType::eUniformTexelBuffer, nodes.data(), size);
+    }
+
     SceneLayout take() { return std::move(layout_); }
 
 private:
@@ -50,6 +65,7 @@ private:
     SceneLayout layout_;
     vk::DeviceSize alignment_;
     vk::DeviceSize largest_;
+    vk::DeviceSize mostTexels_;
 };
 
 }  // namespace
@@ -72,6 +88,7 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addAll("table entries", scene.tables);
     builder.addMany("gratings", scene.openingGratings);
     builder.addMany("optical discs", scene.opticalDiscs);
+    builder.addTree(scene.tree.nodes);
     return builder.take();
 }
 

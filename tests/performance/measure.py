@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+from spheres import spheres_scene
+
 HERE = pathlib.Path(__file__).resolve().parent
 SCENE = HERE.parent.parent / "scenes/thesis/figure-24.json"
 EMPTY_SCENE = HERE / "empty.json"
@@ -60,10 +62,13 @@ class Fringe:
         sizing = ["--set", f"image.width={size}", "--set", f"image.height={size}"]
         return [str(self.executable), "render", str(scene), "-o", str(self.folder / "fringe.png"), "--quiet", *sizing]
 
-    def dispatch_ms(self, scene: pathlib.Path, size: int = 600) -> float:
+    def clocks_ms(self, scene: pathlib.Path, size: int = 600) -> dict[str, float]:
         stats = self.folder / "stats.json"
         subprocess.run([*self.render_command(scene, size), "--stats", str(stats)], env=ENVIRONMENT, check=True)
-        return json.loads(stats.read_text())["clocks_ms"]["dispatch"]
+        return json.loads(stats.read_text())["clocks_ms"]
+
+    def dispatch_ms(self, scene: pathlib.Path, size: int = 600) -> float:
+        return self.clocks_ms(scene, size)["dispatch"]
 
     def peak_memory_gib(self, scene: pathlib.Path, size: int) -> float:
         """Largest resident set of one run, in GiB; on a software driver that includes the device's memory."""
@@ -107,6 +112,19 @@ def whole_process_ratio(fringe: Fringe) -> float:
 SHORT_RUNS = 7
 
 
+def sphere_ratios(fringe: Fringe, rounds: int) -> dict[str, list[float]]:
+    """Clocks of 100,000 spheres over those of 10 that fill as much of the picture, one after the other."""
+    many, few = fringe.folder / "many.json", fringe.folder / "few.json"
+    many.write_text(json.dumps(spheres_scene(100_000)))
+    few.write_text(json.dumps(spheres_scene(10)))
+    ratios = {"dispatch": [], "total": []}
+    for _ in range(rounds):
+        of_many, of_few = fringe.clocks_ms(many), fringe.clocks_ms(few)
+        for clock, values in ratios.items():
+            values.append(of_many[clock] / of_few[clock])
+    return ratios
+
+
 def measure(fringe: Fringe, rounds: int) -> list[Result]:
     whole, dispatch, growth, physics = [], [], [], []
     physical = physical_scene(fringe.folder)
@@ -116,12 +134,15 @@ def measure(fringe: Fringe, rounds: int) -> list[Result]:
         physics.append(statistics.median(fringe.dispatch_ms(physical) for _ in range(SHORT_RUNS)) / small)
         dispatch.append(small / fringe.dispatch_ms(EMPTY_SCENE))
         growth.append(fringe.dispatch_ms(SCENE, 4800) / small / (4800 / 600) ** 2)
+    spheres = sphere_ratios(fringe, rounds)
     memory = [fringe.peak_memory_gib(SCENE, 16384)]
     return [
         Result("whole process, figure 24: Fringe / POV-Ray", whole, (0, 0.5)),
         Result("dispatch: figure 24 / smallest shader", dispatch, (0, 20)),
         Result("dispatch, figure 24: spectral and in watts / thesis", physics, (0, 1.3)),
         Result("dispatch per pixel, figure 24: 4800x4800 / 600x600", growth, (0.85, 1.15)),
+        Result("dispatch: 100,000 spheres / 10", spheres["dispatch"], (0, 20)),
+        Result("whole render: 100,000 spheres / 10", spheres["total"], (0, 20)),
         Result("peak host memory, figure 24 at 16384x16384", memory, (0, 1.5), "GiB"),
     ]
 

@@ -109,6 +109,13 @@ isConfigured() {
         { [[ $1 == OFF ]] || grep --quiet '^FRINGE_TESTS:BOOL=ON' "$cache"; }
 }
 
+# Looks again for the packages of the preview's window where the configuration is from before they were installed.
+findPreview() {
+    if isConfigured OFF && ! grep --quiet '^FRINGE_PREVIEW:INTERNAL=ON' "$releaseFolder/CMakeCache.txt"; then
+        cmake --log-level=NOTICE "$releaseFolder" >&2 || fail "could not configure the build; the message above says why"
+    fi
+}
+
 isUpToDate() {
     local target=$1 tests=$2
     isConfigured "$tests" && [[ $(ninja -C "$releaseFolder" -n "$target") == *'ninja: no work to do.'* ]]

@@ -5,13 +5,21 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <stdexcept>
 
 namespace fringe::cli {
 
 using Command = std::function<int()>;
 
+// The window cannot be had; the message says what to do.
+class NoWindow : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 // Each sets `chosen` when its sub-command is on the command line.
 void addRender(CLI::App& app, Command& chosen);
+void addPreview(CLI::App& app, Command& chosen);
 void addValidate(CLI::App& app, Command& chosen);
 void addInfo(CLI::App& app, Command& chosen);
 void addDevices(CLI::App& app, Command& chosen);

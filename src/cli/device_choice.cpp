@@ -23,7 +23,10 @@ gpu::DeviceRequest deviceRequest(const std::string& selector) {
 }
 
 bool passedValidation(const gpu::Device& device) {
-    const auto messages = device.validationMessages();
+    return passedValidation(device.validationMessages());
+}
+
+bool passedValidation(const std::vector<std::string>& messages) {
     for (const std::string& message : messages) fmt::print(stderr, "fringe: validation: {}\n", message);
     return messages.empty();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gpu/device.hpp"
 
@@ -13,5 +14,6 @@ gpu::DeviceRequest deviceRequest(const std::string& selector);
 
 // True when the validation layer had nothing to say; else it is on standard error.
 bool passedValidation(const gpu::Device& device);
+bool passedValidation(const std::vector<std::string>& messages);
 
 }  // namespace fringe::cli

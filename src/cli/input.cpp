@@ -28,7 +28,7 @@ std::string readTextFile(const std::string& path) {
     return std::move(text).str();
 }
 
-scene::Scene parseSource(const SceneSource& source, const std::string& text) {
+std::vector<scene::Override> overridesOf(const SceneSource& source) {
     std::vector<scene::Override> overrides;
     for (const std::string& given : source.overrides) {
         const std::size_t equals = given.find('=');
@@ -38,7 +38,11 @@ scene::Scene parseSource(const SceneSource& source, const std::string& text) {
         }
         overrides.push_back({given.substr(0, equals), given.substr(equals + 1)});
     }
-    return scene::parseScene(text, source.file, overrides);
+    return overrides;
+}
+
+scene::Scene parseSource(const SceneSource& source, const std::string& text) {
+    return scene::parseScene(text, source.file, overridesOf(source));
 }
 
 }  // namespace fringe::cli

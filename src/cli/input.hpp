@@ -27,6 +27,9 @@ void addSceneOptions(CLI::App& command, SceneSource& source);
 // Throws InputError.
 std::string readTextFile(const std::string& path);
 
+// The overrides in their order. Throws InputError.
+std::vector<scene::Override> overridesOf(const SceneSource& source);
+
 // Throws InputError or scene::SceneError.
 scene::Scene parseSource(const SceneSource& source, const std::string& text);
 

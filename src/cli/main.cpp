@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);  // none is refused below, so that a misspelt one is named in the message
     cli::Command chosen;
     cli::addRender(app, chosen);
+    cli::addPreview(app, chosen);
     cli::addValidate(app, chosen);
     cli::addInfo(app, chosen);
     cli::addDevices(app, chosen);
@@ -66,6 +67,8 @@ int main(int argc, char** argv) {
     } catch (const image::FileError& error) {
         return fail(cli::kWrongInput, error.what());
     } catch (const cli::NothingWritten& error) {
+        return fail(cli::kMachineCannot, error.what());
+    } catch (const cli::NoWindow& error) {
         return fail(cli::kMachineCannot, error.what());
     } catch (const gpu::DeviceError& error) {
         return fail(cli::kMachineCannot, error.what());

@@ -11,7 +11,7 @@
 
 #include "cli/input.hpp"
 #include "optics/color.hpp"
-#include "optics/spectrum.hpp"
+#include "render/development.hpp"
 
 namespace fringe::cli {
 namespace {
@@ -19,13 +19,12 @@ namespace {
 struct NamedSpace {
     const char* name;
     scene::ColorSpace ofScene;
-    image::ColorSpace ofImage;
 };
 
 constexpr std::array kSpaces{
-    NamedSpace{"srgb", scene::ColorSpace::srgb, image::ColorSpace::srgb},
-    NamedSpace{"display-p3", scene::ColorSpace::displayP3, image::ColorSpace::displayP3},
-    NamedSpace{"rec2020", scene::ColorSpace::rec2020, image::ColorSpace::rec2020},
+    NamedSpace{"srgb", scene::ColorSpace::srgb},
+    NamedSpace{"display-p3", scene::ColorSpace::displayP3},
+    NamedSpace{"rec2020", scene::ColorSpace::rec2020},
 };
 
 const NamedSpace& spaceOf(const scene::Image& image) {
@@ -43,16 +42,13 @@ std::optional<double> stopsOf(std::string_view text) {
     return stops;
 }
 
-glm::dmat3 whiteBalanceOf(const scene::Camera& camera) {
-    if (!camera.whiteBalance) return glm::dmat3(1.0);
-    const glm::dvec3 light = optics::xyzPerWatt(*camera.whiteBalance, optics::constantCurve(1.0));
-    // As bright as display white: balance changes colours alone.
-    const auto matrix = image::adaptation(light / light.y, image::displayWhite());
-    if (!matrix) {
+image::Development developmentOf(const scene::Scene& scene) {
+    const auto development = render::developmentOf(scene);
+    if (!development) {
         throw InputError(
             "camera.white_balance: this light is too saturated to look white; give the spectrum of a lamp");
     }
-    return *matrix;
+    return *development;
 }
 
 }  // namespace
@@ -113,8 +109,7 @@ void applyTo(scene::Image& image, const PictureOptions& options) {
 image::OutputOptions outputOptions(const PictureOptions& options, const scene::Scene& scene) {
     const image::Quantity quantity = quantityOf(options);
     const bool isColor = quantity == image::Quantity::color;
-    return {.development = {.colorSpace = spaceOf(scene.image).ofImage,
-                            .whiteBalance = whiteBalanceOf(scene.camera)},
+    return {.development = developmentOf(scene),
             .pngBits = options.pngBits,
             .quantity = quantity,
             .exrColor = options.exrColor == "xyz" ? image::ExrColor::xyz : image::ExrColor::rgb,

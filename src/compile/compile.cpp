@@ -41,13 +41,13 @@ device::Camera compileCamera(const scene::Camera& camera, double aspect) {
 }
 
 // How much of the scene one sample stands for.
-void setPixelWidth(const scene::Scene& scene, device::Frame& frame) {
-    const double share = 2.0 / scene.image.height / std::sqrt(1.0 * scene.image.samples);
-    if (const auto* perspective = std::get_if<scene::Perspective>(&scene.camera.projection)) {
+void setPixelWidth(const scene::Camera& camera, const scene::Image& image, device::Frame& frame) {
+    const double share = 2.0 / image.height / std::sqrt(1.0 * image.samples);
+    frame.pixelAngle = frame.pixelWidth = 0.0F;
+    if (const auto* perspective = std::get_if<scene::Perspective>(&camera.projection)) {
         frame.pixelAngle = toFloat(share * std::tan(0.5 * (perspective->fov / units::rad)));
     } else {
-        frame.pixelWidth =
-            toFloat(0.5 * share * std::get<scene::Orthographic>(scene.camera.projection).height);
+        frame.pixelWidth = toFloat(0.5 * share * std::get<scene::Orthographic>(camera.projection).height);
     }
 }
 
@@ -123,14 +123,19 @@ void addDiscSpectra(const SpectralTables& tables, CompiledScene& out) {
 
 }  // namespace
 
+void setView(const scene::Camera& camera, const scene::Image& image, device::Frame& frame) {
+    frame.camera = compileCamera(camera, double{1.0} * image.width / image.height);
+    frame.width = image.width;
+    frame.height = image.height;
+    frame.filmWidth = (frame.width + device::GROUP_EDGE - 1) / device::GROUP_EDGE * device::GROUP_EDGE;
+    frame.seed = image.seed;
+    setPixelWidth(camera, image, frame);
+}
+
 CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     CompiledScene out;
     device::Frame& frame = out.frame;
-    frame.camera = compileCamera(scene.camera, double{1.0} * scene.image.width / scene.image.height);
-    frame.width = scene.image.width;
-    frame.height = scene.image.height;
-    frame.filmWidth = (frame.width + device::GROUP_EDGE - 1) / device::GROUP_EDGE * device::GROUP_EDGE;
-    frame.seed = scene.image.seed;
+    setView(scene.camera, scene.image, frame);
     out.samples = scene.image.samples;
     out.printedFaults = scene::hasPrintedFaults(scene);
     if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
@@ -139,7 +144,6 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     out.isSpectrum = measure == Measure::spectrum;
     if (out.isSpectrum) frame.height = device::SPECTRAL_BANDS;
     out.inBands = out.isSpectrum || std::any_of(scene.materials.begin(), scene.materials.end(), isMetal);
-    setPixelWidth(scene, frame);
 
     // Reflectances first: what a light needs depends on what it falls on.
     SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1);

@@ -45,6 +45,10 @@ struct CompiledScene {
 // Pure. The only place where units become floats.
 CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color);
 
+// The part of `frame` that depends on where the scene is seen from, and on the picture's size and samples.
+// The rest of a CompiledScene does not.
+void setView(const scene::Camera& camera, const scene::Image& image, device::Frame& frame);
+
 // The uniform block: the frame, and the arrays that have no more than FEW elements.
 device::SceneBlock sceneBlock(const CompiledScene& scene);
 

@@ -35,7 +35,8 @@ bool hasValidationLayer(const vk::raii::Context& context) {
     });
 }
 
-vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation,
+                                  std::vector<const char*> extensions) {
     if (validation && !hasValidationLayer(context)) {
         throw DeviceError(
             "validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed; on "
@@ -44,12 +45,11 @@ vk::raii::Instance createInstance(const vk::raii::Context& context, bool validat
     }
     const vk::ApplicationInfo application("fringe", 1, "fringe", 1, VK_API_VERSION_1_2);
     const std::array layers{kValidationLayer};
-    const std::array extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+    if (validation) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     const std::array checks{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
     const vk::ValidationFeaturesEXT features(checks);
-    vk::InstanceCreateInfo info({}, &application);
-    if (validation)
-        info.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions).setPNext(&features);
+    vk::InstanceCreateInfo info({}, &application, {}, extensions);
+    if (validation) info.setPEnabledLayerNames(layers).setPNext(&features);
     try {
         return {context, info};
     } catch (const vk::IncompatibleDriverError&) {
@@ -103,10 +103,11 @@ int preference(const DeviceDescription& device) {
     return static_cast<int>(std::find(order.begin(), order.end(), device.type) - order.begin());
 }
 
-std::optional<std::uint32_t> computeFamily(const vk::raii::PhysicalDevice& physical) {
+// The first family of queues that can do all this.
+std::optional<std::uint32_t> familyFor(const vk::raii::PhysicalDevice& physical, vk::QueueFlags work) {
     const auto families = physical.getQueueFamilyProperties();
     for (std::uint32_t i = 0; i < families.size(); ++i) {
-        if (families[i].queueFlags & vk::QueueFlagBits::eCompute) return i;
+        if ((families[i].queueFlags & work) == work) return i;
     }
     return std::nullopt;
 }
@@ -143,7 +144,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical) {
     if (properties.limits.maxComputeWorkGroupInvocations < kWorkgroupInvocations) {
         result.missing.push_back(fmt::format("{} invocations in a workgroup", kWorkgroupInvocations));
     }
-    if (!computeFamily(physical)) result.missing.push_back("a compute queue");
+    if (!familyFor(physical, vk::QueueFlagBits::eCompute)) result.missing.push_back("a compute queue");
     return result;
 }
 
@@ -204,13 +205,33 @@ vk::raii::PhysicalDevice choosePhysical(const vk::raii::Instance& instance, cons
     return std::move(all[choose(descriptions, selector)]);
 }
 
-vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
+bool hasSwapchains(const vk::raii::PhysicalDevice& physical) {
+    const auto extensions = physical.enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+        return std::string_view(extension.extensionName) == VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    });
+}
+
+// Vulkan promises a family that computes as well wherever there is one that draws.
+std::uint32_t chooseFamily(const vk::raii::PhysicalDevice& physical, bool shows) {
+    using Flag = vk::QueueFlagBits;
+    const auto family = familyFor(physical, shows ? Flag::eGraphics | Flag::eCompute : Flag::eCompute);
+    if (!family || (shows && !hasSwapchains(physical))) {
+        throw DeviceError(fmt::format("{} cannot show pictures in a window (no queue that draws, or no {})",
+                                      describe(physical).name, VK_KHR_SWAPCHAIN_EXTENSION_NAME));
+    }
+    return *family;
+}
+
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t family, bool shows) {
     return guarded("opening the device", [&] {
         const float priority = 1.0F;
         const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
         vk::PhysicalDeviceVulkan12Features features;
         features.scalarBlockLayout = VK_TRUE;
-        vk::DeviceCreateInfo info({}, queue);
+        std::vector<const char*> extensions;
+        if (shows) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+        vk::DeviceCreateInfo info({}, queue, {}, extensions);
         info.setPNext(&features);
         return vk::raii::Device(physical, info);
     });
@@ -230,7 +251,7 @@ std::vector<std::string> ValidationLog::texts() const {
 
 std::vector<DeviceDescription> listDevices() {
     const vk::raii::Context context = openLoader();
-    const vk::raii::Instance instance = createInstance(context, false);
+    const vk::raii::Instance instance = createInstance(context, false, {});
     std::vector<DeviceDescription> devices;
     for (const auto& physical : physicalDevices(instance)) devices.push_back(describe(physical));
     return devices;
@@ -239,14 +260,14 @@ std::vector<DeviceDescription> listDevices() {
 Device::Device(const DeviceRequest& request)
     : context_(openLoader()),
       validation_(std::make_unique<ValidationLog>()),
-      instance_(createInstance(context_, request.validation)),
+      instance_(createInstance(context_, request.validation, request.surfaceExtensions)),
       messenger_(createMessenger(instance_, request.validation, validation_.get())),
       physical_(choosePhysical(instance_, request.selector)),
       description_(describe(physical_)),
       limits_(physical_.getProperties().limits),
       memory_(physical_.getMemoryProperties()),
-      queueFamily_(computeFamily(physical_).value()),
-      device_(createDevice(physical_, queueFamily_)),
+      queueFamily_(chooseFamily(physical_, !request.surfaceExtensions.empty())),
+      device_(createDevice(physical_, queueFamily_, !request.surfaceExtensions.empty())),
       queue_(device_, queueFamily_, 0),
       commandPool_(device_, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queueFamily_}) {}
 

@@ -1,5 +1,6 @@
 // A Vulkan 1.2 device with one compute queue, chosen and ready to work, or a DeviceError that says why not.
-// Everything of Vulkan stays inside src/gpu; failures of the driver leave it as DeviceError.
+// Everything of Vulkan stays inside src/gpu and src/preview; failures of the driver leave them as
+// DeviceError.
 #pragma once
 
 #define VK_NO_PROTOTYPES  // the loader is opened at run time, so that a machine without one gets a message
@@ -54,6 +55,9 @@ std::vector<DeviceDescription> listDevices();
 struct DeviceRequest {
     std::string selector;     // part of a name (any case) or an index; empty: the best usable device
     bool validation = false;  // with the Khronos validation layer, synchronisation included
+    // Instance extensions that a window's surface needs; the queue then draws as well, and the device has
+    // swapchains. None: nothing is shown.
+    std::vector<const char*> surfaceExtensions = {};
 };
 
 // What the validation layer says; the driver calls add() from any thread.
@@ -76,6 +80,9 @@ public:
     const vk::raii::Queue& queue() const { return queue_; }
     const vk::raii::CommandPool& commandPool() const { return commandPool_; }
     const vk::PhysicalDeviceLimits& limits() const { return limits_; }
+    const vk::raii::Instance& instance() const { return instance_; }
+    const vk::raii::PhysicalDevice& physical() const { return physical_; }
+    std::uint32_t queueFamily() const { return queueFamily_; }
 
     // Index of the first memory type allowed by `typeBits` that has all the properties.
     std::optional<std::uint32_t> memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags properties) const;

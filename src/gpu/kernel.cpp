@@ -111,20 +111,26 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::
         set_ = std::move(vk::raii::DescriptorSets(device.handle(), {*pool_, *bindings_})[0]);
         commands_ = createCommands(device);
         done_ = vk::raii::Fence(device.handle(), vk::FenceCreateInfo());
+    });
+    bind(bindings);
+}
 
+void Kernel::bind(std::span<const Binding> bindings) {
+    guarded("binding buffers to the shader", [&] {
+        texels_.clear();
         std::vector<vk::DescriptorBufferInfo> buffers;
         std::vector<vk::BufferView> views(bindings.size());
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
             const Binding& binding = bindings[i];
             buffers.emplace_back(binding.buffer, binding.offset, binding.size);
             if (binding.type == vk::DescriptorType::eUniformTexelBuffer)
-                views[i] = *texels_.emplace_back(createView(device, binding));
+                views[i] = *texels_.emplace_back(createView(device_, binding));
         }
         std::vector<vk::WriteDescriptorSet> writes;
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
             writes.emplace_back(*set_, i, 0, 1, bindings[i].type, nullptr, &buffers[i], &views[i]);
         }
-        device.handle().updateDescriptorSets(writes, nullptr);
+        device_.handle().updateDescriptorSets(writes, nullptr);
     });
 }
 

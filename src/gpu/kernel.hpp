@@ -38,6 +38,9 @@ public:
     Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
            std::span<const std::uint32_t> constants);
 
+    // Binds other buffers, of the same types in the same order, for the next run().
+    void bind(std::span<const Binding> bindings);
+
     // Dispatches `groups` once from each of the first workgroups, one after the other, and waits. Earlier
     // writes are visible to each, the last ones to the host. Throws DeviceError if the device is lost or does
     // not answer.

@@ -2,81 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstring>
-#include <iterator>
 #include <vector>
 
 #include "gpu/constant_block.hpp"
 #include "render/scene_buffer.hpp"
+#include "render/stopwatch.hpp"
 #include "render/tiling.hpp"
-#include "shaders/render_000.h"
-#include "shaders/render_001.h"
-#include "shaders/render_010.h"
-#include "shaders/render_011.h"
-#include "shaders/render_100.h"
-#include "shaders/render_101.h"
-#include "shaders/render_110.h"
-#include "shaders/render_111.h"
-#include "shaders/render_discs.h"
-#include "shaders/render_tree.h"
-#include "shaders/render_tree_discs.h"
-#include "shaders/render_tree_gratings.h"
+#include "render/variant.hpp"
 
 namespace fringe::render {
 namespace {
 
-// The variant of the shader with no more code than the scene needs (shaders/CMakeLists.txt).
-std::span<const std::uint32_t> variantFor(const compile::CompiledScene& scene) {
-    static constexpr std::array<std::span<const std::uint32_t>, 8> kVariants{
-        render_000, render_001, render_010, render_011, render_100, render_101, render_110, render_111};
-    if (scene.tree.depth > 0) {
-        if (scene.inBands) return render_tree_discs;
-        if (scene.slitGratings.empty() && scene.openingGratings.empty()) return render_tree;
-        return render_tree_gratings;
-    }
-    if (!scene.opticalDiscs.empty()) return render_discs;
-    const std::size_t bands = scene.inBands ? 4 : 0;
-    const std::size_t slits = scene.slitGratings.empty() ? 0 : 2;
-    const std::size_t openings = scene.openingGratings.empty() ? 0 : 1;
-    return kVariants.at(bands + slits + openings);
-}
-
-constexpr vk::DeviceSize kFilmHeader = sizeof(std::uint32_t);  // FilmBlock.firstRow
 constexpr vk::DeviceSize kLargestFilm = 64ULL << 20;  // bytes; a picture beyond it is rendered in bands
-
-// Adds the wall-clock time of its life to a clock.
-class Stopwatch {
-public:
-    explicit Stopwatch(double& total_ms) : total_ms_(total_ms) {}
-    ~Stopwatch() { total_ms_ += elapsed_ms(); }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-    double elapsed_ms() const {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    double& total_ms_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // Rows of film that there is room for: whole workgroups, and no more than the picture needs.
 std::uint32_t rowsOfBand(const gpu::Device& device, const device::Frame& frame) {
-    const vk::DeviceSize group =
-        vk::DeviceSize{frame.filmWidth} * device::GROUP_EDGE * sizeof(device::FilmPixel);
     const vk::DeviceSize film = std::min<vk::DeviceSize>(kLargestFilm, device.limits().maxStorageBufferRange);
-    const auto groups = static_cast<std::uint32_t>(std::max<vk::DeviceSize>((film - kFilmHeader) / group, 1));
+    const std::uint64_t group = std::uint64_t{frame.filmWidth} * device::GROUP_EDGE;
+    const auto groups = static_cast<std::uint32_t>(std::max<std::uint64_t>(Film::pixelsIn(film) / group, 1));
     return std::min(groups * device::GROUP_EDGE, wholeGroups(frame.height));
-}
-
-image::Pixel resolve(const device::FilmPixel& pixel) {
-    const std::uint32_t samples = pixel.state & ~device::NON_FINITE;
-    if ((pixel.state & device::NON_FINITE) != 0) return {.nonFinite = true};
-    if (samples == 0) return {};  // a cancelled render did not come this far
-    const glm::vec3 mean = pixel.sum / static_cast<float>(samples);
-    return {mean.x, mean.y, mean.z, false};
 }
 
 }  // namespace
@@ -162,9 +107,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
       samples_(scene.samples),
       bandRows_(rowsOfBand(device, scene.frame)),
       scene_(device, layout.size, gpu::Access::hostWrites),
-      film_(device, filmBytes(bandRows_),
-            gpu::hasSharedMemory(device) ? gpu::Access::shared : gpu::Access::deviceOnly) {
-    if (film_.mapped().empty()) readback_.emplace(device, film_.size(), gpu::Access::hostReads);
+      film_(device, std::uint64_t{bandRows_} * frame_.filmWidth) {
     {
         const Stopwatch watch(clocks_.upload);
         upload(layout, scene_);
@@ -172,13 +115,13 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     const Stopwatch watch(clocks_.compile);
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
     std::memcpy(constants.data(), &specialisation, sizeof specialisation);
-    std::span<const std::uint32_t> shader = variantFor(scene);
+    std::span<const std::uint32_t> shader = embeddedShader(variantFor(scene));
     std::vector<std::uint32_t> withValues;
     if (values == Values::asConstants) {
         withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
         shader = withValues;
     }
-    kernel_.emplace(device, shader, bindings(layout, scene_, film_), constants);
+    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer()), constants);
     // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel_->run({&corner, 1}, {1, 1, 1});
@@ -189,37 +132,20 @@ bool Renderer::render(const Control& control) {
     std::vector<image::Pixel> pixels;
     for (std::uint32_t firstRow = 0; firstRow < frame_.height; firstRow += bandRows_) {
         const std::uint32_t rows = std::min(bandRows_, frame_.height - firstRow);
-        clear(firstRow, rows);
+        {
+            const Stopwatch watch(clocks_.dispatch);
+            film_.clear(firstRow, std::uint64_t{wholeGroups(rows)} * frame_.filmWidth);
+        }
         const bool complete = Pass(*this, control, tiling, firstRow, wholeGroups(rows)).run();
         {
             const Stopwatch watch(clocks_.readback);
-            const std::span<device::FilmPixel> film = readFilm(rows);
             pixels.clear();
-            for (std::uint32_t row = 0; row < rows; ++row) {
-                const auto used = film.subspan(std::size_t{row} * frame_.filmWidth, frame_.width);
-                std::transform(used.begin(), used.end(), std::back_inserter(pixels), resolve);
-            }
+            film_.read(frame_, rows, pixels);
         }
         if (control.onBand) control.onBand({firstRow, rows, pixels});
         if (!complete) return false;
     }
     return true;
-}
-
-vk::DeviceSize Renderer::filmBytes(std::uint32_t rows) const {
-    return kFilmHeader + vk::DeviceSize{rows} * frame_.filmWidth * sizeof(device::FilmPixel);
-}
-
-void Renderer::clear(std::uint32_t firstRow, std::uint32_t rows) {
-    const Stopwatch watch(clocks_.dispatch);
-    gpu::clear(device_, film_.handle(), firstRow, filmBytes(wholeGroups(rows)));
-}
-
-std::span<device::FilmPixel> Renderer::readFilm(std::uint32_t rows) {
-    if (readback_) gpu::copy(device_, {film_.handle(), readback_->handle(), filmBytes(rows)});
-    const gpu::Buffer& readable = readback_ ? *readback_ : film_;
-    return {reinterpret_cast<device::FilmPixel*>(readable.mapped().data() + kFilmHeader),
-            std::size_t{rows} * frame_.filmWidth};
 }
 
 }  // namespace fringe::render

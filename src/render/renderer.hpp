@@ -11,6 +11,7 @@
 #include "compile/compiled_scene.hpp"
 #include "gpu/kernel.hpp"
 #include "image/image.hpp"
+#include "render/film.hpp"
 
 namespace fringe::render {
 
@@ -63,18 +64,13 @@ private:
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
              const device::Specialisation& specialisation, Values values, const SceneLayout& layout);
 
-    vk::DeviceSize filmBytes(std::uint32_t rows) const;
-    void clear(std::uint32_t firstRow, std::uint32_t rows);
-    std::span<device::FilmPixel> readFilm(std::uint32_t rows);
-
     const gpu::Device& device_;
     device::Frame frame_;
     std::uint32_t samples_;
     Clocks clocks_;
     std::uint32_t bandRows_;
     gpu::Buffer scene_;
-    gpu::Buffer film_;
-    std::optional<gpu::Buffer> readback_;  // only where the film's own memory cannot be read quickly
+    Film film_;
     std::optional<gpu::Kernel> kernel_;
 };
 

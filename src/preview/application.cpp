@@ -1,0 +1,199 @@
+#define GLFW_INCLUDE_NONE
+#include "preview/application.hpp"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "preview/engine.hpp"
+#include "preview/navigation.hpp"
+#include "preview/panel.hpp"
+#include "preview/presenter.hpp"
+#include "preview/widgets.hpp"
+#include "preview/window.hpp"
+
+namespace fringe::preview {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kLowestWindow = 480;    // so that the panel has room beside a small picture
+constexpr float kBackground = 0.11F;  // around the picture
+constexpr double kIdle_s = 0.25;      // without any event, to look whether to end
+constexpr double kGlance_s = 0.004;   // between two looks whether the engine has news
+constexpr int kFramesToSettle = 2;
+constexpr double kMoving_s = 0.02;               // likewise, to look whether it rests
+constexpr std::chrono::milliseconds kRest(150);  // without a change, and it counts as resting
+
+// The largest place for a picture of this shape, in the middle of what the panel leaves of the window; whole
+// multiples are not asked for.
+Rectangle placeFor(const scene::Image& image, Extent window, int panel) {
+    const int width = std::max(window.width - panel, 1), height = std::max(window.height, 1);
+    const double scale = std::min(1.0 * width / image.width, 1.0 * height / image.height);
+    const int shownWidth = std::clamp(static_cast<int>(scale * image.width + 0.5), 1, width);
+    const int shownHeight = std::clamp(static_cast<int>(scale * image.height + 0.5), 1, height);
+    return {panel + (width - shownWidth) / 2, (height - shownHeight) / 2,
+            static_cast<std::uint32_t>(shownWidth), static_cast<std::uint32_t>(shownHeight)};
+}
+
+class Application {
+public:
+    Application(const Options& options, Clock::time_point start)
+        : request_(options.device),
+          engine_(options.device),
+          source_(std::make_shared<const Source>(options.source)),
+          scene_(scene::parseScene(options.source.text, options.source.file, options.source.overrides)) {
+        statistics_.began(start);
+        settings_.samples = options.samples;
+        sendWish(Statistics::Cause::other);  // the engine begins while the window opens
+    }
+
+    Outcome run(const Desktop& desktop, const std::atomic<bool>& interrupted) {
+        const auto wanted = [](std::uint32_t side) { return static_cast<int>(std::min(side, 16384U)); };
+        Window window(desktop,
+                      {wanted(scene_.image.width) + panelWidth(settings_, 1.0F),
+                       std::max(wanted(scene_.image.height), kLowestWindow)},
+                      "Fringe");
+        const Widgets widgets(window);
+        gpu::DeviceRequest request = request_;
+        request.surfaceExtensions = desktop.surfaceExtensions();
+        Presenter presenter(window, widgets, request);
+        while (!window.wantsToClose() && !interrupted) frame(window, widgets, presenter);
+        engine_.close();
+        Outcome outcome{statistics_, engine_.validationMessages()};
+        const auto messages = presenter.device().validationMessages();
+        outcome.validationMessages.insert(outcome.validationMessages.end(), messages.begin(), messages.end());
+        return outcome;
+    }
+
+private:
+    void frame(Window& window, const Widgets& widgets, Presenter& presenter) {
+        // Widgets settle in the frame after the one that an event changed.
+        if (waitForChange() || isFlying()) framesDue_ = kFramesToSettle;
+        else if (framesDue_ > 0) --framesDue_;
+        const Clock::time_point begin = Clock::now();
+        news_ = engine_.news();
+        takePicture(presenter);
+        const std::vector<KeyPress> keys = window.takeKeys();
+        presenter.beginWidgets();
+        widgets.begin();
+        const Rectangle place =
+            placeFor(scene_.image, window.pixels(), panelWidth(settings_, window.scale()));
+        navigate(place, keys);
+        const State state = engine_.state();
+        const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond()};
+        if (drawPanel(settings_, facts, window.scale())) moved(Statistics::Cause::knob);
+        obey(window, keys);
+        widgets.end();
+        if (isMoving_ && Clock::now() - lastMove_ > kRest) {
+            isMoving_ = false;
+            sendWish(Statistics::Cause::other);
+        }
+        const bool isDrawn = presenter.draw(place, kBackground, ImGui::GetDrawData());
+        if (isDrawn && isNew_) statistics_.shown(*picture_);
+        if (isDrawn) isNew_ = false;
+        window.setTitle(title());
+        statistics_.busyFor(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    }
+
+    // Until the user does something, which is true, or the engine has news, or it is time to look around.
+    bool waitForChange() {
+        const bool isResting = picture_ && picture_->isComplete && picture_->wish == wishes_;
+        const double patience_s = framesDue_ > 0 ? 0.0 : isMoving_ ? kMoving_s : kIdle_s;
+        // The engine's thread calls no function of the window system, which would not stand that everywhere.
+        const double glance_s = isResting ? patience_s : std::min(kGlance_s, patience_s);
+        const Clock::time_point start = Clock::now();
+        const auto since = [](Clock::time_point time) {
+            return std::chrono::duration<double>(Clock::now() - time).count();
+        };
+        do {
+            const Clock::time_point glance = Clock::now();
+            waitForEvents(glance_s);
+            if (since(glance) < 0.9 * glance_s) return true;
+        } while (engine_.news() == news_ && since(start) < patience_s);
+        return false;
+    }
+
+    void navigate(const Rectangle& place, std::span<const KeyPress> keys) {
+        const scene::Camera camera = camera_.value_or(scene_.camera);
+        const auto next = navigated(camera, scene_.camera, place, keys);
+        if (!next) return;
+        camera_ = *next;
+        ++cameraNumber_;
+        moved(Statistics::Cause::camera);
+    }
+
+    void obey(Window& window, std::span<const KeyPress> keys) {
+        for (const KeyPress& press : keys) {
+            if (press.control && (press.key == GLFW_KEY_Q || press.key == GLFW_KEY_W)) window.close();
+            if (ImGui::GetIO().WantTextInput || press.control) continue;
+            if (press.key == GLFW_KEY_TAB) settings_.showsPanel = !settings_.showsPanel;
+            if (press.key == GLFW_KEY_F1 || (press.shift && press.key == GLFW_KEY_SLASH))
+                settings_.showsKeys = !settings_.showsKeys;
+        }
+    }
+
+    // Something is under way: until it rests, coarse pictures come quickly.
+    void moved(Statistics::Cause cause) {
+        isMoving_ = true;
+        lastMove_ = Clock::now();
+        sendWish(cause);
+    }
+
+    void takePicture(Presenter& presenter) {
+        auto picture = engine_.takePicture();
+        if (!picture) return;
+        presenter.setPicture(picture->width, picture->height, picture->rgba);
+        scene_ = *picture->scene;
+        picture_ = std::move(picture);
+        isNew_ = true;
+    }
+
+    void sendWish(Statistics::Cause cause) {
+        ++wishes_;
+        statistics_.wished(wishes_, cause);
+        engine_.wish({.number = wishes_,
+                      .source = source_,
+                      .cameraNumber = cameraNumber_,
+                      .camera = camera_,
+                      .display = settings_.display,
+                      .samples = settings_.samples,
+                      .isMoving = isMoving_});
+    }
+
+    std::string title() const {
+        const std::string name = std::filesystem::path(source_->file).filename().string();
+        if (!picture_) return fmt::format("{} - Fringe", name);
+        return fmt::format("{} - {} of {} samples{} - Fringe", name, picture_->samples, settings_.samples,
+                           picture_->isComplete && picture_->wish == wishes_ ? ", complete" : "");
+    }
+
+    gpu::DeviceRequest request_;
+    Engine engine_;
+    std::shared_ptr<const Source> source_;
+    scene::Scene scene_;  // on show
+    Settings settings_;
+    Statistics statistics_;
+    std::uint64_t wishes_ = 0;
+    std::optional<scene::Camera> camera_;  // none: the scene's
+    std::uint64_t cameraNumber_ = 0;
+    bool isMoving_ = false;
+    Clock::time_point lastMove_;
+    std::optional<Picture> picture_;
+    bool isNew_ = false;      // the picture has not been drawn yet
+    std::uint64_t news_ = 0;  // of the engine, that has been looked at
+    int framesDue_ = 0;
+};
+
+}  // namespace
+
+Outcome run(const Options& options, const std::atomic<bool>& interrupted) {
+    const auto start = Clock::now();
+    const Desktop desktop;
+    return Application(options, start).run(desktop, interrupted);
+}
+
+}  // namespace fringe::preview

@@ -1,0 +1,157 @@
+#include "preview/engine.hpp"
+
+#include <chrono>
+
+#include "preview/rendering.hpp"
+
+namespace fringe::preview {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// While nothing moves, new samples are shown this often: developing and drawing take time from rendering.
+constexpr std::chrono::milliseconds kResting(100);
+
+}  // namespace
+
+Engine::Engine(gpu::DeviceRequest request) : request_(std::move(request)), thread_([this] { run(); }) {}
+
+Engine::~Engine() {
+    close();
+}
+
+void Engine::close() {
+    {
+        const std::scoped_lock lock(mutex_);
+        isEnding_ = true;
+    }
+    changed_.notify_one();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Engine::wish(Wish wish) {
+    {
+        const std::scoped_lock lock(mutex_);
+        wish_ = std::move(wish);
+    }
+    changed_.notify_one();
+}
+
+std::optional<Picture> Engine::takePicture() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(picture_, std::nullopt);
+}
+
+State Engine::state() const {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+}
+
+template <class Change>
+void Engine::report(Change change) {
+    {
+        const std::scoped_lock lock(mutex_);
+        change(state_);
+    }
+    ++news_;
+}
+
+// The latest wish, once it is another than the one of that number; nothing at the end.
+std::optional<Wish> Engine::waitForWish(std::uint64_t known) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return isEnding_ || (wish_ && wish_->number != known); });
+    return isEnding_ ? std::nullopt : wish_;
+}
+
+std::optional<Wish> Engine::latestWish() const {
+    const std::scoped_lock lock(mutex_);
+    return isEnding_ ? std::nullopt : wish_;
+}
+
+// After a failure of the device, the next wish is tried on a device opened anew.
+void Engine::run() {
+    std::uint64_t known = 0;
+    while (waitForWish(known)) {
+        try {
+            const gpu::Device device(request_);
+            report([&](State& state) {
+                state.device = device.description().name;
+                state.driver = device.description().driver;
+            });
+            try {
+                serve(device);
+            } catch (...) {
+                validation_ = device.validationMessages();
+                throw;
+            }
+            validation_ = device.validationMessages();
+            return;
+        } catch (const std::exception& error) {
+            const std::scoped_lock lock(mutex_);
+            known = wish_ ? wish_->number : 0;
+            state_.error = error.what();
+            state_.activity.clear();
+        }
+        ++news_;
+    }
+}
+
+void Engine::serve(const gpu::Device& device) {
+    Rendering rendering(device);
+    std::uint64_t known = 0;
+    while (const auto wish = waitForWish(known)) {
+        known = wish->number;
+        fulfil(*wish, rendering);
+    }
+}
+
+// Until there is another wish, or nothing left to do for this one.
+void Engine::fulfil(const Wish& wish, Rendering& rendering) {
+    if (rendering.isNewScene(wish)) {
+        report([](State& state) { state.activity = "compiling the scene"; });
+        std::string error;
+        try {
+            rendering.load(wish);
+        } catch (const scene::SceneError& problems) {
+            error = problems.what();
+        }
+        report([&](State& state) {
+            state.activity.clear();
+            state.error = error;
+            state.specialisation = rendering.specialisation();
+        });
+    }
+    if (!rendering.hasScene()) return;
+    rendering.follow(wish);
+
+    bool isShown = false;  // something of this wish
+    bool wasFull = false;
+    Clock::time_point last;
+    const auto show = [&] {
+        publish(rendering.develop(), rendering);
+        isShown = true;
+        wasFull = rendering.isFull();
+        last = Clock::now();
+    };
+    if (rendering.hasSamples()) show();  // the exposure may be another
+    while (!rendering.isComplete()) {
+        const auto latest = latestWish();
+        // A moving picture is finished even when the next is wished for, or none would ever be.
+        if (!latest || (latest->number != wish.number && (isShown || !wish.isMoving))) return;
+        const bool isBetter = rendering.advance();
+        const bool isDue = !isShown || wasFull != rendering.isFull() || rendering.isComplete() ||
+                           Clock::now() - last > kResting;
+        if (isBetter && isDue) show();
+    }
+}
+
+void Engine::publish(Picture picture, const Rendering& rendering) {
+    {
+        const std::scoped_lock lock(mutex_);
+        picture_ = std::move(picture);
+        state_.timing = rendering.timing();
+    }
+    ++news_;
+}
+
+}  // namespace fringe::preview

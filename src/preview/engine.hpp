@@ -1,0 +1,67 @@
+// The renderer behind a window, in a thread and on a device of its own: it is told what to show and answers
+// with pictures. A scene is read and compiled, its tables included, in this thread; the last picture stays
+// until there is one of the new scene.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "gpu/device.hpp"
+#include "preview/wish.hpp"
+
+namespace fringe::preview {
+
+class Rendering;
+
+class Engine {
+public:
+    explicit Engine(gpu::DeviceRequest request);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    // Takes the place of the wish before.
+    void wish(Wish wish);
+
+    // The picture made since the last call, if there is one.
+    std::optional<Picture> takePicture();
+
+    State state() const;
+
+    // Another number after every new picture or state.
+    std::uint64_t news() const { return news_; }
+
+    // What the validation layer has said about the device. Only for after close().
+    const std::vector<std::string>& validationMessages() const { return validation_; }
+
+    // Ends the work. Nothing but validationMessages() may be called afterwards.
+    void close();
+
+private:
+    void run();
+    void serve(const gpu::Device& device);
+    void fulfil(const Wish& wish, Rendering& rendering);
+    std::optional<Wish> waitForWish(std::uint64_t known);
+    std::optional<Wish> latestWish() const;
+    void publish(Picture picture, const Rendering& rendering);
+    template <class Change>
+    void report(Change change);
+
+    gpu::DeviceRequest request_;
+    std::atomic<std::uint64_t> news_{0};
+    std::vector<std::string> validation_;
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::optional<Wish> wish_;
+    std::optional<Picture> picture_;
+    State state_;
+    bool isEnding_ = false;
+
+    std::thread thread_;  // the last: it uses all the others
+};
+
+}  // namespace fringe::preview

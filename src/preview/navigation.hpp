@@ -1,0 +1,26 @@
+// Mouse and keys to camera: what the user does over the picture, read from Dear ImGui's input.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "preview/presenter.hpp"
+#include "scene/scene.hpp"
+
+namespace fringe::preview {
+
+// The camera after what was done since the last frame; nothing if it stays. `home` is the scene's own,
+// `place` that of the picture in the window, `keys` went down.
+std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
+                                       const Rectangle& place, std::span<const KeyPress> keys);
+
+// Whether a key is held that moves the camera for as long as it is.
+bool isFlying();
+
+struct KeyHelp {
+    const char* keys;
+    const char* what;
+};
+std::span<const KeyHelp> navigationHelp();
+
+}  // namespace fringe::preview

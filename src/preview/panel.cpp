@@ -1,0 +1,134 @@
+#include "preview/panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "preview/false_color.hpp"
+#include "preview/navigation.hpp"
+
+namespace fringe::preview {
+namespace {
+
+constexpr float kWidth = 340.0F;  // of the panel, before scaling
+
+constexpr std::array<KeyHelp, 3> kHelp{{{"Tab", "panel"}, {"? or F1", "these keys"}, {"Ctrl and Q", "quit"}}};
+
+void drawLegend() {
+    for (const Decade& decade : decades()) {
+        const ImVec4 color(static_cast<float>(decade.color[0]) / 255.0F,
+                           static_cast<float>(decade.color[1]) / 255.0F,
+                           static_cast<float>(decade.color[2]) / 255.0F, 1.0F);
+        ImGui::ColorButton("##decade", color, ImGuiColorEditFlags_NoTooltip);
+        ImGui::SameLine();
+        ImGui::Text("1e%d to 1e%d of display white", decade.exponent, decade.exponent + 1);
+    }
+}
+
+bool drawDisplay(Settings& settings, const Facts& facts) {
+    if (!ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) return false;
+    bool changed = false;
+    auto exposure = static_cast<float>(settings.display.exposure);
+    if (ImGui::SliderFloat("exposure", &exposure, -16.0F, 16.0F, "%+.2f stops")) {
+        settings.display.exposure = double{exposure};
+        changed = true;
+    }
+    int view = settings.display.view == View::decades ? 1 : 0;
+    if (ImGui::Combo("view", &view, "colour\0luminance, in decades\0")) {
+        settings.display.view = view == 1 ? View::decades : View::color;
+        changed = true;
+    }
+    if (settings.display.view == View::decades) drawLegend();
+    int samples = static_cast<int>(settings.samples);
+    if (ImGui::SliderInt("samples", &samples, 1, 1024, "%d", ImGuiSliderFlags_Logarithmic)) {
+        settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 65535));
+        changed = true;
+    }
+    if (facts.picture != nullptr) {
+        ImGui::Text("%u x %u, sample %u of %u", facts.picture->width, facts.picture->height,
+                    facts.picture->samples, settings.samples);
+        ImGui::Text("exposure in all %+.2f stops", facts.picture->exposure);
+    }
+    return changed;
+}
+
+void drawTimes(const Facts& facts) {
+    if (!ImGui::CollapsingHeader("Renderer", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const State& state = facts.state;
+    ImGui::TextWrapped("%s", state.device.empty() ? "opening the device" : state.device.c_str());
+    ImGui::Text("%5.1f pictures/s while it moves", double{facts.picturesPerSecond});
+    ImGui::Text("%5.1f ms a sample, full size", state.timing.sample);
+    ImGui::Text("%5.1f ms to develop", state.timing.develop);
+    ImGui::Text("%5.1f ms to compile the scene", state.timing.scene);
+    ImGui::Text("%5.1f ms for the last pipeline (%llu)", state.timing.pipeline,
+                static_cast<unsigned long long>(state.timing.pipelines));
+    if (ImGui::TreeNode("specialisation")) {
+        ImGui::TextWrapped("%s", state.specialisation.c_str());
+        ImGui::TreePop();
+    }
+}
+
+void drawKeys(Settings& settings, int left) {
+    if (!settings.showsKeys) return;
+    constexpr float kMargin = 20.0F;
+    ImGui::SetNextWindowPos({static_cast<float>(left) + kMargin, kMargin}, ImGuiCond_Appearing);
+    ImGui::Begin("Keys", &settings.showsKeys,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    if (ImGui::BeginTable("keys", 2)) {
+        const auto row = [](const KeyHelp& help) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(help.keys);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(help.what);
+        };
+        for (const KeyHelp& help : navigationHelp()) row(help);
+        for (const KeyHelp& help : kHelp) row(help);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+// At the lower edge of the picture, over it.
+void drawMessages(const State& state, int left) {
+    const std::string& text = state.error.empty() ? state.activity : state.error;
+    if (text.empty()) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float begin = static_cast<float>(left);
+    ImGui::SetNextWindowPos({begin, size.y}, ImGuiCond_Always, {0.0F, 1.0F});
+    ImGui::SetNextWindowSize({size.x - begin, 0.0F});
+    ImGui::SetNextWindowBgAlpha(0.85F);
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    ImGui::Begin("##messages", nullptr, flags);
+    if (!state.error.empty()) ImGui::PushStyleColor(ImGuiCol_Text, {1.0F, 0.55F, 0.45F, 1.0F});
+    ImGui::TextWrapped("%s", text.c_str());
+    if (!state.error.empty()) ImGui::PopStyleColor();
+    ImGui::End();
+}
+
+}  // namespace
+
+int panelWidth(const Settings& settings, float scale) {
+    return settings.showsPanel ? static_cast<int>(kWidth * scale) : 0;
+}
+
+bool drawPanel(Settings& settings, const Facts& facts, float scale) {
+    bool changed = false;
+    const int width = panelWidth(settings, scale);
+    if (settings.showsPanel) {
+        ImGui::SetNextWindowPos({0.0F, 0.0F});
+        ImGui::SetNextWindowSize({static_cast<float>(width), ImGui::GetIO().DisplaySize.y});
+        ImGui::Begin("##panel", nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus);
+        changed = drawDisplay(settings, facts);
+        drawTimes(facts);
+        ImGui::End();
+    }
+    drawKeys(settings, width);
+    drawMessages(facts.state, width);
+    return changed;
+}
+
+}  // namespace fringe::preview

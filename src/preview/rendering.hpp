@@ -1,0 +1,76 @@
+// What the engine's thread works on: one scene on one device, first as a coarse picture, then in full size,
+// then sample by sample.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image/develop.hpp"
+#include "preview/wish.hpp"
+#include "render/progressive.hpp"
+
+namespace fringe::preview {
+
+class Rendering {
+public:
+    // Keeps a reference to the device.
+    explicit Rendering(const gpu::Device& device) : progressive_(device) {}
+
+    // Whether the wish is for another scene than the one that load() was last called with.
+    bool isNewScene(const Wish& wish) const { return wish.source != tried_; }
+
+    // Reads and compiles the scene of the wish and begins with it. Throws scene::SceneError, and then the
+    // scene before stays, or gpu::DeviceError, and then this is of no more use.
+    void load(const Wish& wish);
+
+    // Takes up the camera, display and number of samples of the wish. The picture starts afresh where it has
+    // to. Throws gpu::DeviceError. Precondition: hasScene().
+    void follow(const Wish& wish);
+
+    bool hasScene() const { return scene_ != nullptr; }
+
+    // Whether every pixel has one already.
+    bool hasSamples() const { return progressive_.samples() > 0; }
+
+    // Whether there is nothing left to do for the wish.
+    bool isComplete() const;
+
+    // Works on it for about 30 ms. True when the picture has become better. Throws gpu::DeviceError.
+    // Precondition: hasScene().
+    bool advance();
+
+    // The picture as it is, as it shall be displayed. Precondition: a sample of every pixel.
+    Picture develop();
+
+    // In full size, as opposed to coarse.
+    bool isFull() const { return divisor_ == 1; }
+
+    const Timing& timing() const { return timing_; }
+
+    // The constants of the pipeline that are not 0, "RECTANGLE_COUNT 5, ...".
+    std::string specialisation() const;
+
+private:
+    void start();
+    void restart(std::uint32_t divisor);
+    std::uint32_t coarseDivisor() const;
+    device::Frame frameOf(std::uint32_t divisor) const;
+    double fullPixels() const;
+
+    render::Progressive progressive_;
+    std::shared_ptr<const Source> tried_, source_;
+    std::shared_ptr<const scene::Scene> scene_;
+    image::Development development_;
+    compile::CompiledScene compiled_;
+    device::Specialisation constants_;
+    scene::Image image_;    // size, samples and seed of the picture in full
+    scene::Camera camera_;  // that it is seen by
+    Wish wish_;
+    std::uint32_t divisor_ = 1;  // of the sides of the full picture
+    std::vector<image::Pixel> pixels_;
+    std::vector<std::uint8_t> rgb_;
+    Timing timing_;
+};
+
+}  // namespace fringe::preview

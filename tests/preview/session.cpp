@@ -1,0 +1,118 @@
+#include "preview/session.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace fringe::preview {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kPatience = 30s;  // many times what anything takes
+constexpr auto kLook = 20ms;
+constexpr auto kStep = 15ms;  // between two motions of the mouse
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// False if it does not become true in time.
+template <class Condition>
+bool becomes(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(kLook);
+    }
+    return true;
+}
+
+}  // namespace
+
+Session::Session(const cli::Arguments& arguments)
+    : program_(arguments, {.folder = folder_.path(), .environment = {{"DISPLAY", display_.name()}}}) {
+    const bool isOpen = becomes([&] {
+        window_ = display_.tool("search --onlyvisible --name Fringe");
+        return !window_.empty();
+    });
+    EXPECT_TRUE(isOpen) << "no window";
+    display_.tool("windowfocus " + window_);
+}
+
+std::string Session::title() const {
+    return display_.tool("getwindowname " + window_);
+}
+
+bool Session::says(const std::string& text) const {
+    return becomes([&] { return contains(title(), text); });
+}
+
+Screen Session::picture() const {
+    const auto number = [&](const std::string& geometry, const std::string& name) {
+        const std::size_t at = geometry.find(name + "=");
+        return at == std::string::npos ? 0 : std::stoi(geometry.substr(at + name.size() + 1));
+    };
+    display_.tool("mousemove 1279 899");      // its arrow is on the screen as well
+    std::this_thread::sleep_for(10 * kLook);  // the title is set just before the screen shows the picture
+    const std::string geometry = display_.tool("getwindowgeometry --shell " + window_);
+    const Screen whole = display_.screen();
+    Screen inside{static_cast<std::uint32_t>(number(geometry, "WIDTH")),
+                  static_cast<std::uint32_t>(number(geometry, "HEIGHT")),
+                  {}};
+    const auto left = static_cast<std::uint32_t>(number(geometry, "X"));
+    const auto top = static_cast<std::uint32_t>(number(geometry, "Y"));
+    for (std::uint32_t y = 0; y < inside.height; ++y)
+        for (std::uint32_t x = 0; x < inside.width; ++x) inside.pixels.push_back(whole.at(left + x, top + y));
+    return inside;
+}
+
+void Session::key(const std::string& keys) const {
+    display_.tool("key " + keys);
+}
+
+void Session::drag(int fromX, int fromY, int toX, int toY, int button) const {
+    display_.tool(fmt::format("mousemove --window {} {} {}", window_, fromX, fromY));
+    std::this_thread::sleep_for(5 * kStep);
+    display_.tool(fmt::format("mousedown {}", button));
+    std::this_thread::sleep_for(5 * kStep);
+    constexpr int kSteps = 30;
+    for (int i = 1; i <= kSteps; ++i) {
+        display_.tool(fmt::format("mousemove --window {} {} {}", window_, fromX + (toX - fromX) * i / kSteps,
+                                  fromY + (toY - fromY) * i / kSteps));
+        std::this_thread::sleep_for(kStep);
+    }
+    display_.tool(fmt::format("mouseup {}", button));
+    std::this_thread::sleep_for(20 * kStep);  // then it counts as resting
+}
+
+void Session::click(int x, int y) const {
+    display_.tool(fmt::format("mousemove --window {} {} {}", window_, x, y));
+    std::this_thread::sleep_for(5 * kStep);
+    display_.tool("mousedown 1");
+    std::this_thread::sleep_for(5 * kStep);
+    display_.tool("mouseup 1");
+    std::this_thread::sleep_for(5 * kStep);
+}
+
+void Session::resize(int width, int height) const {
+    display_.tool(fmt::format("windowsize {} {} {}", window_, width, height));
+}
+
+void Session::hide() const {
+    display_.tool("windowunmap " + window_);
+    std::this_thread::sleep_for(10 * kLook);
+}
+
+void Session::show() const {
+    display_.tool("windowmap --sync " + window_);
+    display_.tool("windowfocus " + window_);
+}
+
+cli::Outcome Session::quit() {
+    key("ctrl+q");
+    return program_.wait();
+}
+
+}  // namespace fringe::preview

@@ -1,0 +1,49 @@
+// `fringe preview` in a window of a virtual display, and hands on it. Every session is under the validation
+// layer: what that says makes the program end with status 2.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/program.hpp"
+#include "preview/display.hpp"
+
+namespace fringe::preview {
+
+class Session {
+public:
+    // Starts it in a folder of its own, and waits for the window.
+    explicit Session(const cli::Arguments& arguments);
+
+    const Display& display() const { return display_; }
+    const std::filesystem::path& folder() const { return folder_.path(); }
+
+    std::string title() const;
+
+    // Waits until the title contains `text`; false if it does not within 30 s.
+    bool says(const std::string& text) const;
+
+    // Waits for a finished picture of all samples.
+    bool completes() const { return says(", complete"); }
+
+    // The window's inside.
+    Screen picture() const;
+
+    void key(const std::string& keys) const;                                  // "ctrl+q"
+    void drag(int fromX, int fromY, int toX, int toY, int button = 1) const;  // in steps of a few pixels
+    void click(int x, int y) const;
+    void resize(int width, int height) const;
+    void hide() const;  // as minimising does
+    void show() const;
+
+    // Presses Ctrl+Q and waits for the end.
+    cli::Outcome quit();
+
+private:
+    Display display_;
+    image::TestFolder folder_;
+    cli::Program program_;
+    std::string window_;
+};
+
+}  // namespace fringe::preview

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 
+#include "preview/document.hpp"
 #include "preview/engine.hpp"
+#include "preview/files.hpp"
 #include "preview/navigation.hpp"
 #include "preview/panel.hpp"
 #include "preview/presenter.hpp"
@@ -44,7 +47,8 @@ public:
     Application(const Options& options, Clock::time_point start)
         : request_(options.device),
           engine_(options.device),
-          source_(std::make_shared<const Source>(options.source)),
+          document_(options.source),
+          watch_(options.source.file),
           scene_(scene::parseScene(options.source.text, options.source.file, options.source.overrides)) {
         statistics_.began(start);
         settings_.samples = options.samples;
@@ -84,9 +88,13 @@ private:
             placeFor(scene_.image, window.pixels(), panelWidth(settings_, window.scale()));
         navigate(place, keys);
         const State state = engine_.state();
-        const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond()};
-        if (drawPanel(settings_, facts, window.scale())) moved(Statistics::Cause::knob);
-        obey(window, keys);
+        const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond(), notice_};
+        PanelActions actions = drawPanel(settings_, document_, facts, window.scale());
+        obey(window, keys, actions);
+        if (actions.display || actions.scene) moved(Statistics::Cause::knob);
+        if (actions.saveScene) saveScene();
+        if (actions.savePicture) savePicture();
+        lookAtFiles();
         widgets.end();
         if (isMoving_ && Clock::now() - lastMove_ > kRest) {
             isMoving_ = false;
@@ -126,10 +134,59 @@ private:
         moved(Statistics::Cause::camera);
     }
 
-    void obey(Window& window, std::span<const KeyPress> keys) {
+    // Runs `work` beside the window, and tells `done` or what went wrong.
+    template <class Work>
+    void inBackground(const std::string& done, Work work) {
+        saving_ = std::async(std::launch::async, [done, work]() -> std::string {
+            try {
+                work();
+                return done;
+            } catch (const std::exception& error) {
+                return error.what();
+            }
+        });
+    }
+
+    void saveScene() {
+        const std::filesystem::path file = editedFile(*document_.source());
+        inBackground(fmt::format("written: {}", file.string()),
+                     [file, text = sceneText(document_, camera_)] { preview::saveScene(file, text); });
+    }
+
+    void savePicture() {
+        if (!picture_ || !picture_->film) {
+            notice_ = "the picture is still coarse; save it when it rests";
+            return;
+        }
+        const auto png = pictureFile(*picture_->source, ".png"), exr = pictureFile(*picture_->source, ".exr");
+        inBackground(fmt::format("written: {} and {}", png.string(), exr.string()),
+                     [png, exr, picture = *picture_, text = sceneText(document_, camera_)] {
+                         preview::savePicture(png, exr, picture, text);
+                     });
+    }
+
+    // What was to be written is, and the scene file may have been.
+    void lookAtFiles() {
+        if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+            notice_ = saving_.get();
+        const auto text = watch_.changedText();
+        if (!text) return;
+        const Json::Value before = document_.root()["camera"];
+        document_.reload(*text);
+        notice_.clear();
+        if (document_.root()["camera"] != before) {
+            camera_.reset();
+            ++cameraNumber_;
+        }
+        sendWish(Statistics::Cause::other);
+    }
+
+    void obey(Window& window, std::span<const KeyPress> keys, PanelActions& actions) {
         for (const KeyPress& press : keys) {
             if (press.control && (press.key == GLFW_KEY_Q || press.key == GLFW_KEY_W)) window.close();
+            if (press.control && press.key == GLFW_KEY_S) actions.saveScene = true;
             if (ImGui::GetIO().WantTextInput || press.control) continue;
+            if (press.key == GLFW_KEY_P) actions.savePicture = true;
             if (press.key == GLFW_KEY_TAB) settings_.showsPanel = !settings_.showsPanel;
             if (press.key == GLFW_KEY_F1 || (press.shift && press.key == GLFW_KEY_SLASH))
                 settings_.showsKeys = !settings_.showsKeys;
@@ -138,6 +195,7 @@ private:
 
     // Something is under way: until it rests, coarse pictures come quickly.
     void moved(Statistics::Cause cause) {
+        notice_.clear();
         isMoving_ = true;
         lastMove_ = Clock::now();
         sendWish(cause);
@@ -156,7 +214,7 @@ private:
         ++wishes_;
         statistics_.wished(wishes_, cause);
         engine_.wish({.number = wishes_,
-                      .source = source_,
+                      .source = document_.source(),
                       .cameraNumber = cameraNumber_,
                       .camera = camera_,
                       .display = settings_.display,
@@ -165,7 +223,7 @@ private:
     }
 
     std::string title() const {
-        const std::string name = std::filesystem::path(source_->file).filename().string();
+        const std::string name = std::filesystem::path(document_.source()->file).filename().string();
         if (!picture_) return fmt::format("{} - Fringe", name);
         return fmt::format("{} - {} of {} samples{} - Fringe", name, picture_->samples, settings_.samples,
                            picture_->isComplete && picture_->wish == wishes_ ? ", complete" : "");
@@ -173,7 +231,10 @@ private:
 
     gpu::DeviceRequest request_;
     Engine engine_;
-    std::shared_ptr<const Source> source_;
+    Document document_;
+    FileWatch watch_;
+    std::future<std::string> saving_;
+    std::string notice_;
     scene::Scene scene_;  // on show
     Settings settings_;
     Statistics statistics_;

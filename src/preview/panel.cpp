@@ -7,13 +7,19 @@
 
 #include "preview/false_color.hpp"
 #include "preview/navigation.hpp"
+#include "preview/scene_editor.hpp"
 
 namespace fringe::preview {
 namespace {
 
-constexpr float kWidth = 340.0F;  // of the panel, before scaling
+constexpr float kWidth = 340.0F;    // of the panel, before scaling
+constexpr float kLabels = -110.0F;  // what values leave for them
 
-constexpr std::array<KeyHelp, 3> kHelp{{{"Tab", "panel"}, {"? or F1", "these keys"}, {"Ctrl and Q", "quit"}}};
+constexpr std::array<KeyHelp, 5> kHelp{{{"Tab", "panel"},
+                                        {"? or F1", "these keys"},
+                                        {"P", "save the picture, as PNG and EXR"},
+                                        {"Ctrl and S", "save the changed scene"},
+                                        {"Ctrl and Q", "quit"}}};
 
 void drawLegend() {
     for (const Decade& decade : decades()) {
@@ -90,11 +96,13 @@ void drawKeys(Settings& settings, int left) {
 }
 
 // At the lower edge of the picture, over it.
-void drawMessages(const State& state, int left) {
-    const std::string& text = state.error.empty() ? state.activity : state.error;
+void drawMessages(const Facts& facts, int left) {
+    const State& state = facts.state;
+    const std::string& news = facts.notice.empty() ? state.activity : facts.notice;
+    const std::string& text = state.error.empty() ? news : state.error;
     if (text.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float begin = static_cast<float>(left);
+    const auto begin = static_cast<float>(left);
     ImGui::SetNextWindowPos({begin, size.y}, ImGuiCond_Always, {0.0F, 1.0F});
     ImGui::SetNextWindowSize({size.x - begin, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.85F);
@@ -113,8 +121,8 @@ int panelWidth(const Settings& settings, float scale) {
     return settings.showsPanel ? static_cast<int>(kWidth * scale) : 0;
 }
 
-bool drawPanel(Settings& settings, const Facts& facts, float scale) {
-    bool changed = false;
+PanelActions drawPanel(Settings& settings, Document& document, const Facts& facts, float scale) {
+    PanelActions actions;
     const int width = panelWidth(settings, scale);
     if (settings.showsPanel) {
         ImGui::SetNextWindowPos({0.0F, 0.0F});
@@ -122,13 +130,19 @@ bool drawPanel(Settings& settings, const Facts& facts, float scale) {
         ImGui::Begin("##panel", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoBringToFrontOnFocus);
-        changed = drawDisplay(settings, facts);
+        ImGui::PushItemWidth(kLabels * scale);
+        actions.display = drawDisplay(settings, facts);
+        actions.savePicture = ImGui::Button("save picture (P)");
+        ImGui::SameLine();
+        actions.saveScene = ImGui::Button("save scene (Ctrl S)");
+        actions.scene = drawSceneEditor(document);
         drawTimes(facts);
+        ImGui::PopItemWidth();
         ImGui::End();
     }
     drawKeys(settings, width);
-    drawMessages(facts.state, width);
-    return changed;
+    drawMessages(facts, width);
+    return actions;
 }
 
 }  // namespace fringe::preview

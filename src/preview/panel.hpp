@@ -1,6 +1,7 @@
 // The widgets beside the picture.
 #pragma once
 
+#include "preview/document.hpp"
 #include "preview/wish.hpp"
 
 namespace fringe::preview {
@@ -18,12 +19,21 @@ struct Facts {
     const State& state;
     const Picture* picture = nullptr;  // on show; null before the first
     float picturesPerSecond = 0.0F;
+    const std::string& notice;  // what was written, or why it was not
 };
 
 // Pixels that the panel takes at the left edge of the window.
 int panelWidth(const Settings& settings, float scale);
 
-// Draws panel, key list and messages. True if settings have changed.
-bool drawPanel(Settings& settings, const Facts& facts, float scale);
+// What was done in the panel.
+struct PanelActions {
+    bool display = false;  // the settings have changed
+    bool scene = false;    // the document has
+    bool savePicture = false;
+    bool saveScene = false;
+};
+
+// Draws panel, key list and messages.
+PanelActions drawPanel(Settings& settings, Document& document, const Facts& facts, float scale);
 
 }  // namespace fringe::preview

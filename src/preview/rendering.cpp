@@ -140,6 +140,8 @@ Picture Rendering::develop() {
                     .isComplete = isFull() && isComplete(),
                     .exposure = scene_->image.exposure + wish_.display.exposure,
                     .rgba = {},
+                    .film = nullptr,
+                    .development = {},
                     .scene = scene_,
                     .source = source_};
     progressive_.read(pixels_);
@@ -149,11 +151,14 @@ Picture Rendering::develop() {
         picture.exposure += meter.exposure();
     }
     rgb_.resize(3 * pixels_.size());
-    image::Development development = development_;
-    development.colorSpace = image::ColorSpace::srgb;  // that of windows
-    development.exposure = picture.exposure;
+    picture.development = development_;
+    picture.development.exposure = picture.exposure;
+    image::Development onScreen = picture.development;
+    onScreen.colorSpace = image::ColorSpace::srgb;  // that of windows
     if (wish_.display.view == View::decades) falseColors(pixels_, picture.exposure, rgb_);
-    else image::develop8(development, pixels_, rgb_);
+    else image::develop8(onScreen, pixels_, rgb_);
+    if (isFull())
+        picture.film = std::make_shared<const image::Image>(image::Image{frame.width, frame.height, pixels_});
     picture.rgba.resize(4 * pixels_.size());
     for (std::size_t i = 0; i < pixels_.size(); ++i) std::copy_n(&rgb_[3 * i], 3, &picture.rgba[4 * i]);
     return picture;

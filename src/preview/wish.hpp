@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "image/develop.hpp"
+#include "image/image.hpp"
 #include "scene/parse.hpp"
 
 namespace fringe::preview {
@@ -43,9 +45,11 @@ struct Picture {
     std::uint64_t wish = 0;               // the number of the one that it fulfils
     std::uint32_t width = 0, height = 0;  // less than the full size while it is coarse
     std::uint32_t samples = 0;
-    bool isComplete = false;         // in full size, with all samples
-    double exposure = 0.0;           // stops in all: the scene's, the automatic ones and the wish's
-    std::vector<std::uint8_t> rgba;  // the fourth does not count
+    bool isComplete = false;                   // in full size, with all samples
+    double exposure = 0.0;                     // stops in all: the scene's, the automatic ones and the wish's
+    std::vector<std::uint8_t> rgba;            // the fourth does not count
+    std::shared_ptr<const image::Image> film;  // in full size; null while it is coarse
+    image::Development development;            // what a file of it gets
     std::shared_ptr<const scene::Scene> scene;
     std::shared_ptr<const Source> source;
 };

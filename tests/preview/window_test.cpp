@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <json/json.h>
 
+#include <chrono>
 #include <cmath>
 #include <sstream>
+#include <thread>
 
 #include "image/color_space.hpp"
 #include "image/reader.hpp"
@@ -52,14 +54,8 @@ Screen pictureOf(const Session& session) {
     return picture;
 }
 
-// What `fringe render` writes, in the codes of its file.
-Screen rendered(const Session& session, const Arguments& more = {}) {
-    const std::string file = (session.folder() / "rendered.png").string();
-    Arguments arguments{
-        "render", kScene,           "-o", file, "--set", "image.width=500", "--set", "image.height=480",
-        "--set",  "image.samples=4"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expectDone(cli::run(arguments));
+// In the codes of a PNG file.
+Screen fileOf(const std::filesystem::path& file) {
     const image::Picture picture = image::readImage(file);
     Screen screen{picture.width, picture.height, {}};
     for (const image::RgbPixel& pixel : picture.pixels) {
@@ -69,6 +65,14 @@ Screen rendered(const Session& session, const Arguments& more = {}) {
         screen.pixels.push_back({code(pixel.r), code(pixel.g), code(pixel.b)});
     }
     return screen;
+}
+
+// What `fringe render` writes.
+Screen rendered(const Session& session, const std::string& scene = kScene) {
+    const std::string file = (session.folder() / "rendered.png").string();
+    expectDone(cli::run({"render", scene, "-o", file, "--set", "image.width=500", "--set", "image.height=480",
+                         "--set", "image.samples=4"}));
+    return fileOf(file);
 }
 
 // Values in uniforms round otherwise than compiled ones: at silhouettes a unit in the last place decides what
@@ -122,6 +126,101 @@ TEST(WindowOnDevice, TellsHowQuickItWas) {
     EXPECT_GT(stats["first_picture_ms"].asDouble(), 0.0);
     EXPECT_GT(stats["camera_latency_ms"]["count"].asInt(), 3);
     EXPECT_GT(stats["longest_busy_ms"].asDouble(), 0.0);
+}
+
+// Whether the window comes to show this picture, within 20 s.
+bool comesToShow(const Session& session, const Screen& expected) {
+    constexpr int kLooks = 40;
+    for (int i = 0; i < kLooks; ++i) {
+        if (shareOfDifferent(pictureOf(session), expected) <= kSilhouettes) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+    return false;
+}
+
+// A scene file that may be changed.
+class SceneFile {
+public:
+    SceneFile() { write(image::bytesOf(kScene)); }
+
+    std::string path(const std::string& name = "scene.json") const { return (folder_ / name).string(); }
+    void write(const std::string& text) const { image::putBytes(folder_ / "scene.json", text); }
+
+    // With every `from` made `to`.
+    void replace(const std::string& from, const std::string& to) const {
+        std::string text = image::bytesOf(path());
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+        write(text);
+    }
+
+private:
+    image::TestFolder folder_;
+};
+
+// Places of widgets in the panel, in pixels of the window.
+constexpr int kMoreSlitsX = 198, kMoreSlitsY = 333;  // "+" of the first grating's count
+constexpr int kExposureX = 107, kExposureY = 41;     // the middle of the slider
+
+TEST(WindowOnDevice, AKnobChangesTheSceneWhichCanBeSaved) {
+    const SceneFile file;
+    Session session(previewOf(file.path()));
+    ASSERT_TRUE(session.completes());
+    const Screen before = pictureOf(session);
+    session.click(kMoreSlitsX, kMoreSlitsY);
+    session.key("ctrl+s");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    Json::Value saved;
+    std::istringstream(image::bytesOf(file.path("scene-edited.json"))) >> saved;
+    EXPECT_EQ(saved["lights"][1]["aperture"]["count"].asInt(), 2);
+    const Screen expected = rendered(session, file.path("scene-edited.json"));
+    EXPECT_GT(shareOfDifferent(expected, before), 0.01);
+    session.key("h");  // takes the notice away
+    EXPECT_TRUE(comesToShow(session, expected));
+    expectDone(session.quit());
+}
+
+TEST(WindowOnDevice, ASliderIsFollowedAndItsDelayReported) {
+    Session session(previewOf(kScene, {"--stats", "stats.json"}));
+    ASSERT_TRUE(session.completes());
+    const Screen before = pictureOf(session);
+    session.drag(kExposureX, kExposureY, kExposureX + 12, kExposureY);  // some two stops
+    ASSERT_TRUE(session.completes());
+    EXPECT_GT(shareOfDifferent(pictureOf(session), before), 0.2);
+    const std::filesystem::path file = session.folder() / "stats.json";
+    expectDone(session.quit());
+    Json::Value stats;
+    std::istringstream(image::bytesOf(file)) >> stats;
+    EXPECT_GT(stats["knob_latency_ms"]["count"].asInt(), 3);
+}
+
+TEST(WindowOnDevice, AChangedFileIsReadAgainAndABrokenOneIsNot) {
+    const SceneFile file;
+    Session session(previewOf(file.path()));
+    ASSERT_TRUE(session.completes());
+    const Screen before = pictureOf(session);
+    const std::string good = image::bytesOf(file.path());
+    file.write(good.substr(0, good.size() / 2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    const Screen broken = pictureOf(session);  // with a message in its lower part
+    const double different = shareOfDifferent(broken, before);
+    EXPECT_GT(different, 0.0);
+    EXPECT_LT(different, 0.2);
+    file.write(good);
+    file.replace("\"width\": \"1 um\"", "\"width\": \"0.7 um\"");
+    EXPECT_TRUE(comesToShow(session, rendered(session, file.path())));
+    expectDone(session.quit());
+}
+
+TEST(WindowOnDevice, SavesThePictureThatItShows) {
+    Session session(previewOf(kScene));
+    ASSERT_TRUE(session.completes());
+    const Screen shown = pictureOf(session);
+    session.key("p");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_EQ(fileOf(session.folder() / "figure-24-preview.png").pixels, shown.pixels);
+    EXPECT_EQ(image::readImage(session.folder() / "figure-24-preview.exr").width, 500U);
+    expectDone(session.quit());
 }
 
 TEST(Window, WithoutADisplayIsAClearError) {

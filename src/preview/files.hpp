@@ -1,0 +1,52 @@
+// What the preview writes, and the file that it watches.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "preview/document.hpp"
+#include "preview/wish.hpp"
+
+namespace fringe::preview {
+
+// Notices that a file has been written to.
+class FileWatch {
+public:
+    explicit FileWatch(std::filesystem::path file);
+
+    // Its text, if it has been written to since the last call and can be read.
+    std::optional<std::string> changedText();
+
+private:
+    struct Stamp {
+        std::filesystem::file_time_type time;
+        std::uintmax_t size;
+
+        bool operator==(const Stamp&) const = default;
+    };
+
+    std::optional<Stamp> stamp() const;
+
+    std::filesystem::path file_;
+    std::optional<Stamp> known_;
+};
+
+// The scene as it is on show: with what was changed, and seen by `camera` if there is one. As JSON, without
+// comments.
+std::string sceneText(const Document& document, const std::optional<scene::Camera>& camera);
+
+// Where the changed scene and pictures of it go: beside the scene file, so that the files it names are found,
+// "NAME-edited.json"; into the working folder, "NAME-preview.png" and ".exr".
+std::filesystem::path editedFile(const Source& source);
+std::filesystem::path pictureFile(const Source& source, const char* extension);
+
+// Throws image::FileError.
+void saveScene(const std::filesystem::path& file, const std::string& text);
+
+// As a PNG and as an EXR file, with the text of the scene in them. Throws image::FileError. Precondition: the
+// picture has its film.
+void savePicture(const std::filesystem::path& png, const std::filesystem::path& exr, const Picture& picture,
+                 const std::string& sceneText);
+
+}  // namespace fringe::preview

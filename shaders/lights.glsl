@@ -74,7 +74,8 @@ Incident fromSphere(Light light, vec3 offset, vec3 normal, vec2 random) {
         float angle = 6.28318531 * random.y;
         direction = axis * cosine + (t * cos(angle) + b * sin(angle)) * sine;
         float along = dot(offset, direction);
-        distance_ = along - sqrt(max(radiusSquared - (squared - along * along), 0.0));
+        vec3 closest = offset - along * direction;         // squared - along^2 would lose digits
+        distance_ = along - sqrt(max(radiusSquared - dot(closest, closest), 0.0));
         irradiance = light.emission * (6.28318531 * oneMinusCosMax * max(dot(direction, normal), 0.0));
     } else {
         float z = 1.0 - 2.0 * random.x;

@@ -13,9 +13,6 @@ float hitPlaneAtOrigin(vec3 normal, vec3 o, vec3 d) {
 // The nearer of two roots that lies ahead.
 float firstAhead(float near, float far) { return near > 0.0 ? near : (far > 0.0 ? far : NO_HIT); }
 
-// The nearer of two distances, either of which may be NO_HIT.
-float nearer(float a, float b) { return a > 0.0 && (b <= 0.0 || a < b) ? a : b; }
-
 float hitPlane(Plane plane, vec3 o, vec3 d) { return hitPlaneAtOrigin(plane.normal, o - plane.point, d); }
 
 float hitRectangle(Rectangle rectangle, vec3 o, vec3 d) {
@@ -64,86 +61,87 @@ float hitBox(Box box, vec3 o, vec3 d) {
     return near <= far ? firstAhead(near, far) : NO_HIT;
 }
 
+// The part of [near, far] that lies between two planes at z = 0 and z = height; near > far where there is none. A solid is
+// taken as a whole, wall and caps together, or rays would slip in between the two where they meet.
+vec2 betweenCaps(float near, float far, float z, float dz, float height) {
+    float slope = abs(dz) < 1e-30 ? 1e-30 : dz;            // no 0/0
+    float bottom = -z / slope, top = (height - z) / slope;
+    return vec2(max(near, min(bottom, top)), min(far, max(bottom, top)));
+}
+
 float hitCylinder(Cylinder cylinder, vec3 o, vec3 d) {
     vec3 local = o - cylinder.base;
     float dz = dot(d, cylinder.axis);
     float oz = dot(local, cylinder.axis);
     vec3 dr = d - dz * cylinder.axis;
     vec3 or = local - oz * cylinder.axis;
-    float squared = cylinder.radius * cylinder.radius;
-    float t = NO_HIT;
 
     float a = dot(dr, dr);
-    if (a > 1e-14) {                                       // else parallel to the axis: caps alone
-        float middle = -dot(or, dr) / a;
-        vec3 closest = or + middle * dr;
-        float discriminant = squared - dot(closest, closest);
-        if (discriminant >= 0.0) {
-            float half_ = sqrt(discriminant / a);
-            float near = middle - half_;
-            float far = middle + half_;
-            float zNear = oz + near * dz;
-            float zFar = oz + far * dz;
-            near = zNear >= 0.0 && zNear <= cylinder.height ? near : NO_HIT;
-            far = zFar >= 0.0 && zFar <= cylinder.height ? far : NO_HIT;
-            t = firstAhead(near, far);
-        }
+    bool isAlong = a < 1e-14;                              // the axis: it meets the caps alone
+    float middle = isAlong ? 0.0 : -dot(or, dr) / a;
+    vec3 closest = or + middle * dr;
+    float discriminant = cylinder.radius * cylinder.radius - dot(closest, closest);
+    if (discriminant < 0.0) return NO_HIT;
+    float half_ = isAlong ? 1e30 : sqrt(discriminant / a);
+    float near = middle - half_;
+    float far = middle + half_;
+    if (decided(cylinder.capped) != 0u) {
+        vec2 inside = betweenCaps(near, far, oz, dz, cylinder.height);
+        return inside.x <= inside.y ? firstAhead(inside.x, inside.y) : NO_HIT;
     }
-    if (decided(cylinder.capped) != 0u && dz != 0.0) {
-        float bottom = -oz / dz;
-        float top = (cylinder.height - oz) / dz;
-        vec3 atBottom = or + bottom * dr;
-        vec3 atTop = or + top * dr;
-        if (dot(atBottom, atBottom) <= squared) t = nearer(bottom, t);
-        if (dot(atTop, atTop) <= squared) t = nearer(top, t);
-    }
-    return t;
+    float zNear = oz + near * dz;
+    float zFar = oz + far * dz;
+    near = zNear >= 0.0 && zNear <= cylinder.height ? near : NO_HIT;
+    far = zFar >= 0.0 && zFar <= cylinder.height ? far : NO_HIT;
+    return firstAhead(near, far);
 }
 
-// |r| = slope z from the apex at z = 0 to the base at z = height; the origin is first moved to the ray's closest
-// approach to the apex, so that the quadratic's coefficients have the cone's own size.
+// |r| = slope z from the apex at z = 0 to the base at z = height. The origin is first moved near: to where the ray passes
+// the axis, or the apex if it goes along the cone, so that the coefficients have the cone's own size there.
 float hitCone(Cone cone, vec3 o, vec3 d) {
     vec3 local = o - cone.apex;
-    float shift = -dot(local, d);
-    local += shift * d;
     float dz = dot(d, cone.axis);
-    float oz = dot(local, cone.axis);
     vec3 dr = d - dz * cone.axis;
-    vec3 or = local - oz * cone.axis;
     float k = cone.slope * cone.slope;
-    float t = NO_HIT;
-
     float a = dot(dr, dr) - k * dz * dz;
+    float shift = a > 0.0 ? -dot(local - dot(local, cone.axis) * cone.axis, dr) / dot(dr, dr) : -dot(local, d);
+    local += shift * d;
+    float oz = dot(local, cone.axis);
+    vec3 or = local - oz * cone.axis;
     float b = dot(or, dr) - k * oz * dz;
     float c = dot(or, or) - k * oz * oz;
-    float discriminant = b * b - a * c;
-    if (discriminant >= 0.0) {
-        float q = -(b + (b >= 0.0 ? 1.0 : -1.0) * sqrt(discriminant));
-        float first = a != 0.0 ? q / a : NO_HIT - shift;
-        float second = q != 0.0 ? c / q : first;
-        float zFirst = oz + first * dz;
-        float zSecond = oz + second * dz;
-        first = zFirst >= 0.0 && zFirst <= cone.height ? first + shift : NO_HIT;
-        second = zSecond >= 0.0 && zSecond <= cone.height ? second + shift : NO_HIT;
-        t = nearer(first, second);
+    // b^2 - a c, without what cancels for a slender cone.
+    vec3 turned = oz * dr - dz * or;
+    vec3 moment = cross(or, dr);
+    float discriminant = k * dot(turned, turned) - dot(moment, moment);
+    if (discriminant < 0.0 && a > 0.0) return NO_HIT;
+    float q = -(b + (b >= 0.0 ? 1.0 : -1.0) * sqrt(max(discriminant, 0.0)));
+    float first = q / (a != 0.0 ? a : 1e-30);
+    float second = q != 0.0 ? c / q : first;
+    float near = min(first, second);
+    float far = max(first, second);
+    if (decided(cone.capped) != 0u) {
+        if (a < 0.0) {                                     // along the cone: the other root is on the other side of the apex
+            near = dz > 0.0 ? far : -1e30;
+            far = dz > 0.0 ? 1e30 : min(first, second);
+        }
+        vec2 inside = betweenCaps(near, far, oz, dz, cone.height);
+        return inside.x <= inside.y ? firstAhead(inside.x + shift, inside.y + shift) : NO_HIT;
     }
-    if (decided(cone.capped) != 0u && dz != 0.0) {
-        float cap = (cone.height - oz) / dz;
-        vec3 atCap = or + cap * dr;
-        if (dot(atCap, atCap) <= k * cone.height * cone.height) t = nearer(cap + shift, t);
-    }
-    return t;
+    float zNear = oz + near * dz;
+    float zFar = oz + far * dz;
+    near = zNear >= 0.0 && zNear <= cone.height ? near + shift : NO_HIT;
+    far = zFar >= 0.0 && zFar <= cone.height ? far + shift : NO_HIT;
+    return firstAhead(near, far);
 }
 
-// Moeller and Trumbore 1997.
+// By the plane first: the quotients of Moeller and Trumbore are noise where the ray is nearly in it.
 float hitTriangle(Triangle triangle, vec3 o, vec3 d) {
-    vec3 p = cross(d, triangle.edge2);
-    float determinant = dot(triangle.edge1, p);
-    if (determinant == 0.0) return NO_HIT;
     vec3 local = o - triangle.vertex;
-    float u = dot(local, p) / determinant;
-    vec3 q = cross(local, triangle.edge1);
-    float v = dot(d, q) / determinant;
-    bool inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
-    return inside ? dot(triangle.edge2, q) / determinant : NO_HIT;
+    float t = hitPlaneAtOrigin(triangle.normal, local, d);
+    vec3 p = local + t * d;
+    float u = dot(cross(p, triangle.edge2), triangle.normal);
+    float v = dot(cross(triangle.edge1, p), triangle.normal);
+    bool inside = u >= 0.0 && v >= 0.0 && u + v <= dot(cross(triangle.edge1, triangle.edge2), triangle.normal);
+    return inside ? t : NO_HIT;
 }

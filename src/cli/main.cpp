@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
     cli::addDevices(app, chosen);
     cli::addProfile(app, chosen);
     cli::addCompare(app, chosen);
+    cli::addStress(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <future>
 
@@ -36,8 +37,8 @@ constexpr std::chrono::milliseconds kRest(150);  // without a change, and it cou
 Rectangle placeFor(const scene::Image& image, Extent window, int panel) {
     const int width = std::max(window.width - panel, 1), height = std::max(window.height, 1);
     const double scale = std::min(1.0 * width / image.width, 1.0 * height / image.height);
-    const int shownWidth = std::clamp(static_cast<int>(scale * image.width + 0.5), 1, width);
-    const int shownHeight = std::clamp(static_cast<int>(scale * image.height + 0.5), 1, height);
+    const int shownWidth = std::clamp(static_cast<int>(std::lround(scale * image.width)), 1, width);
+    const int shownHeight = std::clamp(static_cast<int>(std::lround(scale * image.height)), 1, height);
     return {panel + (width - shownWidth) / 2, (height - shownHeight) / 2,
             static_cast<std::uint32_t>(shownWidth), static_cast<std::uint32_t>(shownHeight)};
 }

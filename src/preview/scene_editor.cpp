@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "preview/schema_values.hpp"
@@ -12,7 +13,6 @@
 namespace fringe::preview {
 namespace {
 
-using scene::JsonType;
 using scene::Property;
 using scene::Schema;
 

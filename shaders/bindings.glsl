@@ -24,6 +24,9 @@ layout(scalar, set = 0, binding = 13) readonly buffer SlitGratingBlock { SlitGra
 layout(scalar, set = 0, binding = 14) readonly buffer TableBlock { float tables[]; };
 layout(scalar, set = 0, binding = 15) readonly buffer OpeningGratingBlock { OpeningGrating openingGratings[]; };
 layout(scalar, set = 0, binding = 16) readonly buffer OpticalDiscBlock { OpticalDisc opticalDiscs[]; };
+// Entries of response tables. An image and no buffer: drivers for processors fetch four numbers at once from it, and it may
+// be larger than what a buffer binds.
+layout(set = 0, binding = 17) uniform utexture2D responses;
 
 // TypeAt(i): element i of a kind, from where it lies. Among few it is selected, not addressed: i mostly differs from
 // invocation to invocation, and an address that does is loaded lane by lane on a CPU.

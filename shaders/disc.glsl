@@ -135,9 +135,14 @@ float undeviatedShare(OpticalDisc disc, vec2 out_, float cosine, float wavelengt
 // A spectrum off a reflectance: [density, prefix sum][nanometre][xyz], lines [wavelength_um, xyz] (src/compile/discs.hpp).
 const uint SPECTRUM_ENTRIES = 401u;
 
-// All below a wavelength.
+// All below a wavelength: the integral of the piecewise linear density, exact.
 vec3 spectrumBelow(uint table, float wavelength_um) {
-    return responseIntegral(table, table + 3u * SPECTRUM_ENTRIES, SPECTRUM_ENTRIES, (wavelength_um - SHORTEST_WAVE_um) * 1e3);
+    float at = clamp((wavelength_um - SHORTEST_WAVE_um) * 1e3, 0.0, float(SPECTRUM_ENTRIES) - 1.001);
+    uint i = uint(at);
+    float f = at - float(i);
+    vec3 left = tableColor(table + 3u * i);
+    vec3 right = tableColor(table + 3u * i + 3u);
+    return tableColor(table + 3u * (SPECTRUM_ENTRIES + i)) + f * (left + 0.5 * f * (right - left));
 }
 
 // In a window of less than 2 nm, where a difference of the above would lose its digits.

@@ -230,7 +230,9 @@ struct SlitGrating {
     float firstU;        // of the response table, which is in steps of 1 / perU
     float perU;
     uint entries;
-    uint response;       // in the tables: for each reflectance, for the sum of all bands and each band, density and prefix sum
+    uint response;       // in the responses: for each reflectance, for the sum of all bands and each band, the entries
+    float integralUnit;  // of the entries
+    float slopeUnit;
     uint lines;          // in the tables: for each reflectance, wavelengths that are followed one by one
     uint lineCount;
     uint shares;         // in the tables: for each line the share of the beam that each order takes; where orderCount is 0
@@ -239,6 +241,14 @@ struct SlitGrating {
     uint zeroOrder;      // likewise, wavelengths that stand for the undeviated beam's continuous spectrum
     uint zeroOrderCount;
 };
+
+// An entry of a response table: its running integral, and by how much the response changes to the next entry. Integers
+// keep the difference of two integrals exact; floats would leave it 256 times less precise.
+struct ResponseEntry {
+    uvec3 integral;      // in units of the grating's, steps of the table
+    uint slopes;         // three signed numbers of nine bits, to be shifted by the uppermost five
+};
+const uint RESPONSE_ROW = 4096u;     // entries lie in an image of so many a row
 
 const uint RECTANGULAR_OPENING = 1u;
 const uint CIRCULAR_OPENING = 2u;

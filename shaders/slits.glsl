@@ -19,42 +19,35 @@ float halfLit(SlitGrating g) {
     return min(g.halfSlits, g.profile == GAUSSIAN_BEAM ? 2.2 * g.halfWidth : g.halfWidth);   // exp(-2 2.2^2) = 6e-5
 }
 
-// Running integral of the piecewise linear response over its steps, exact.
-vec3 responseIntegral(uint density, uint prefix, uint entries, float place) {
+// The running integral of a response at a place between two entries: what the first one holds, and what comes on top, in
+// the table's own unit of it.
+struct ResponseIntegral {
+    uvec3 whole;
+    vec3 rest;
+};
+
+uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % RESPONSE_ROW, at / RESPONSE_ROW), 0); }
+
+// Exact for a response that is linear between its entries. `slopeUnit` in units of the integral.
+ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, float place) {
     float at = clamp(place, 0.0, float(entries) - 1.001);
     uint i = uint(at);
     float f = at - float(i);
-    vec3 left = tableColor(density + 3u * i);
-    vec3 right = tableColor(density + 3u * i + 3u);
-    return tableColor(prefix + 3u * i) + f * (left + 0.5 * f * (right - left));
+    uvec4 entry = responseEntry(table + i);
+    uvec3 step_ = responseEntry(table + i + 1u).xyz - entry.xyz;
+    vec3 slopes = vec3((ivec3(entry.w) << ivec3(23, 14, 5)) >> 23);
+    float scale = slopeUnit * uintBitsToFloat(((entry.w >> 27) + 127u) << 23);
+    return ResponseIntegral(entry.xyz, f * vec3(ivec3(step_)) - (0.5 * f * (1.0 - f) * scale) * slopes);
 }
 
-// At a place between two entries.
-vec3 responseAt(uint density, uint entries, float place) {
-    float at = clamp(place, 0.0, float(entries) - 1.001);
-    uint i = uint(at);
-    return mix(tableColor(density + 3u * i), tableColor(density + 3u * i + 3u), at - float(i));
-}
-
-// Windows of this share of a table and more are differences of the running integral, which leaves 3e-5 of the mean.
-const float LONG_WINDOW = 1.0 / 512.0;
-
-// Mean of a response over a window of sines; `table` is one band's.
+// Mean of a response over a window of sines, of a step of the table at least; `table` is one band's.
 vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
     float place = (u - g.firstU) * g.perU;
-    float steps = width * g.perU;
-    bool isLong = steps >= max(2.0, LONG_WINDOW * float(g.entries));
-    vec3 sum = vec3(0.0);
-    for (bool once = isLong; once; once = false) {
-        uint prefix = table + 3u * g.entries;
-        sum = (responseIntegral(table, prefix, g.entries, place + 0.5 * steps) -
-               responseIntegral(table, prefix, g.entries, place - 0.5 * steps)) / steps;
-    }
-    float samples = isLong ? 0.0 : max(ceil(steps), 1.0);
-    for (float i = 0.5; i < samples; i += 1.0) {
-        sum += responseAt(table, g.entries, place + (i / samples - 0.5) * steps) / samples;
-    }
-    return sum;
+    float steps = max(width * g.perU, 1.0);
+    float slopeUnit = g.slopeUnit / g.integralUnit;
+    ResponseIntegral from = responseIntegral(table, g.entries, slopeUnit, place - 0.5 * steps);
+    ResponseIntegral to = responseIntegral(table, g.entries, slopeUnit, place + 0.5 * steps);
+    return (vec3(to.whole - from.whole) + (to.rest - from.rest)) * (g.integralUnit / steps);
 }
 
 // The wavelength of the order nearest to the visible range's middle.
@@ -91,25 +84,26 @@ vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uin
                       Landing landing, float blur, float facing) {
     // Sine of the direction from either end; their difference without cancellation.
     float x1 = v.x - right, x2 = v.x - left;
-    float r1 = sqrt(x1 * x1 + v.z * v.z), r2 = sqrt(x2 * x2 + v.z * v.z);
-    float sine = (right - left) * v.z / (r1 * r2);
-    float cosine = (x1 * x2 + v.z * v.z) / (r1 * r2);
-    float window = v.conical * (v.z / r1 + v.z / r2) * sine / (1.0 + cosine);
-    float u = 0.5 * v.conical * (x1 / r1 + x2 / r2) - g.alphaIn;
+    float nearness1 = inversesqrt(x1 * x1 + v.z * v.z), nearness2 = inversesqrt(x2 * x2 + v.z * v.z);
+    float both = nearness1 * nearness2;
+    float sine = (right - left) * v.z * both;
+    float cosine = (x1 * x2 + v.z * v.z) * both;
+    float window = v.conical * v.z * (nearness1 + nearness2) * sine / (1.0 + cosine);
+    float u = 0.5 * v.conical * (x1 * nearness1 + x2 * nearness2) - g.alphaIn;
     float power = g.irradiance * window * facing * v.rho / (v.conical * v.z);
 
     float focused = window * abs(1.0 - g.convergence * v.range);
     float width = sqrt(focused * focused + blur * blur);
     bool bandwise = BANDS > 1u || landing.rippled;
     uint bands = bandwise ? SPECTRAL_BANDS : 1u;
-    uint row = g.response + reflectance * (6u * (SPECTRAL_BANDS + 1u)) * g.entries;
+    uint row = g.response + reflectance * (SPECTRAL_BANDS + 1u) * g.entries;
     vec3 sum = vec3(0.0);
     [[dont_unroll]] for (uint k = 0u; k < bands; ++k) {
         vec2 wave = HAS_RIPPLES != 0u && landing.rippled ? waveInBand(g, u, k) : landing.wave;
         float landed = footprint(g, landing.profile, v.footY, v.conical * v.conical / v.range, landing.halfHeight, wave.x, wave.y,
                                  v.smear.y);
         if (landing.inside) landed = 1.0;
-        sum += landed * throughput.band[BANDS > 1u ? k : 0u] * meanResponse(g, row + (bandwise ? k + 1u : 0u) * 6u * g.entries, u, width);
+        sum += landed * throughput.band[BANDS > 1u ? k : 0u] * meanResponse(g, row + (bandwise ? k + 1u : 0u) * g.entries, u, width);
     }
     return sum * power;
 }
@@ -255,9 +249,10 @@ vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint ref
     return sum;
 }
 
-// By how much something with this gradient changes per length on a surface across the line of sight.
-float changeOnSurface(vec3 gradient, vec3 normal, vec3 view) {
-    return length(gradient - normal * (dot(gradient, view) / dot(normal, view)));
+// By how much something with this gradient changes per length on a surface across the line of sight `view`; `slant`: view
+// over its cosine with the normal.
+float changeOnSurface(vec3 gradient, vec3 normal, vec3 slant) {
+    return length(gradient - normal * dot(gradient, slant));
 }
 
 // Light reflected towards the eye by a diffuse surface of reflectance row `reflectance`, times pi, XYZ. `normal` is on the
@@ -267,12 +262,13 @@ vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float 
     GratingView v = viewFrom(g, offset);
     vec3 direction = (v.conical * v.x / v.rho) * g.across + g.betaIn * g.along + (v.conical * v.z / v.rho) * g.normal;
     float facing = -dot(direction, normal);
+    vec3 slant = view / dot(normal, view);
     // How fast the sine and the places on the grating that light comes from change across the picture.
     float slope = v.conical * v.z / (v.rho * v.rho * v.rho);
-    float ofSine = pixel * changeOnSurface(slope * (v.z * g.across - v.x * g.normal), normal, view);
+    float ofSine = pixel * changeOnSurface(slope * (v.z * g.across - v.x * g.normal), normal, slant);
     float blur = sqrt(ofSine * ofSine + g.angularSize * g.angularSize);
-    v.smear = pixel * vec2(changeOnSurface(g.across - (v.x / v.z) * g.normal, normal, view),
-                           changeOnSurface(g.along - (g.betaIn * v.rho / (v.conical * v.z)) * g.normal, normal, view)) +
+    v.smear = pixel * vec2(changeOnSurface(g.across - (v.x / v.z) * g.normal, normal, slant),
+                           changeOnSurface(g.along - (g.betaIn * v.rho / (v.conical * v.z)) * g.normal, normal, slant)) +
               g.angularSize * v.range;
     vec3 sum = vec3(0.0);
     if (HAS_SLIT_CONTINUUM != 0u && g.entries > 0u && facing > 0.0) {

@@ -3,7 +3,7 @@
 
 #if TREE
 // In texels, because lavapipe fetches four words of a texel at once, and those of a storage buffer one by one, lane by lane.
-layout(set = 0, binding = 17) uniform usamplerBuffer treeTexels;
+layout(set = 0, binding = 18) uniform usamplerBuffer treeTexels;
 
 const uint TREE_END = 0xffffffffu;
 

@@ -71,7 +71,6 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
     out.frame.reflectanceCount = count(tables.reflectances().size());
     out.frame.metals = count(colors.size());
     for (device::SlitGrating& grating : out.slitGratings) {
-        grating.response += shift;
         grating.lines += shift;
         grating.zeroOrder += shift;
         grating.shares += shift;

@@ -39,6 +39,7 @@ struct CompiledScene {
     bool clearHubs = false;                         // of discs: a path may go on behind one
     std::uint32_t castingDiscs = 0;                 // that light their surroundings
     bool discContinuum = false, discLines = false;  // what of spectra discs diffract
+    std::vector<device::ResponseEntry> responses;   // of slits to continuous spectra
     std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
 };
 

@@ -122,7 +122,7 @@ double leavingShare(const scene::Grating& grating) {
 
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 std::vector<float>& values) {
+                                 std::vector<float>& values, std::vector<device::ResponseEntry>& responses) {
     const scene::Beam& beam = grating.beam;
     optics::Slits slits = given;
     if (slits.count == 1) slits.period = slits.width;
@@ -167,8 +167,10 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
         packed.firstU = toFloat(response.firstU);
         packed.perU = toFloat(response.perU);
         packed.entries = response.entries;
-        packed.response = here();
-        values.insert(values.end(), response.values.begin(), response.values.end());
+        packed.integralUnit = toFloat(response.integralUnit);
+        packed.slopeUnit = toFloat(response.slopeUnit);
+        packed.response = count(responses.size());
+        responses.insert(responses.end(), response.values.begin(), response.values.end());
         if (isWide) {
             std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
             divideByShares(lit, undeviated);

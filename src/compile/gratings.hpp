@@ -13,9 +13,10 @@ namespace fringe::compile {
 // through. Orders with efficiencies of their own share what the slits let through, and are not counted here.
 double leavingShare(const scene::Grating& grating);
 
-// Appends to `values` what the device reads beside the record; `tables` must know all reflectances.
+// Appends to `values` and `responses` what the device reads beside the record; `tables` must know all
+// reflectances.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 std::vector<float>& values);
+                                 std::vector<float>& values, std::vector<device::ResponseEntry>& responses);
 
 }  // namespace fringe::compile

@@ -11,6 +11,7 @@
 
 namespace fringe::device {
 
+using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
@@ -26,7 +27,8 @@ static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);
 static_assert(sizeof(TreeNode) == 64);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
-static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 148);
+static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 156 &&
+              sizeof(ResponseEntry) == 16);
 static_assert(sizeof(OpeningGrating) == 148 && sizeof(OpeningSample) == 16);
 static_assert(sizeof(OpticalDisc) == 76);
 // What every device can bind (the least that Vulkan allows for maxUniformBufferRange).

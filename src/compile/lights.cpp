@@ -132,7 +132,8 @@ struct LightCompiler {
     }
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
-            out.slitGratings.push_back(compileSlits(l, *slits, light.spectrum, tables, out.tables));
+            out.slitGratings.push_back(
+                compileSlits(l, *slits, light.spectrum, tables, out.tables, out.responses));
         } else {
             out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, out.tables));
         }

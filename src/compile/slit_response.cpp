@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <thread>
 
@@ -132,6 +133,50 @@ private:
     std::vector<std::array<glm::dvec3, device::SPECTRAL_BANDS>> sums_;
 };
 
+constexpr int kLargestSlope = 255;  // nine bits with a sign
+constexpr int kLargestShift = 31;
+
+// Three numbers of at most 255 2^31, as three of nine bits and what they are shifted by.
+device::uint packedSlopes(glm::dvec3 slopes) {
+    const double largest = std::max({std::abs(slopes.x), std::abs(slopes.y), std::abs(slopes.z)});
+    int shift = 0;
+    while (shift < kLargestShift && std::ldexp(largest, -shift) > kLargestSlope) ++shift;
+    device::uint packed = static_cast<device::uint>(shift) << 27;
+    for (int i = 0; i < 3; ++i) {
+        const auto rounded = static_cast<int>(std::lround(std::ldexp(slopes[i], -shift)));
+        packed |= (static_cast<device::uint>(rounded) & 0x1ffU) << (9 * i);
+    }
+    return packed;
+}
+
+// Densities, one table after the other, as the entries that the device reads.
+void encode(const std::vector<glm::vec3>& density, SlitResponse& out) {
+    constexpr double kLargestIntegral = 2147483647.0;  // differences fit a signed integer
+    double total = 1e-20, steepest = 1e-20;  // far below what a light sends, so that units stay normal floats
+    for (std::size_t first = 0; first < density.size(); first += out.entries) {
+        glm::dvec3 sum(0.0);
+        for (std::size_t i = first; i + 1 < first + out.entries; ++i) {
+            sum += 0.5 * (glm::dvec3(density[i]) + glm::dvec3(density[i + 1]));
+            const glm::dvec3 slope = glm::abs(glm::dvec3(density[i + 1]) - glm::dvec3(density[i]));
+            steepest = std::max({steepest, slope.x, slope.y, slope.z});
+        }
+        total = std::max({total, sum.x, sum.y, sum.z});
+    }
+    out.integralUnit = total / kLargestIntegral;
+    out.slopeUnit = std::ldexp(steepest / kLargestSlope, -kLargestShift);
+    out.values.reserve(density.size());
+    for (std::size_t first = 0; first < density.size(); first += out.entries) {
+        glm::dvec3 sum(0.0);
+        for (std::size_t i = first; i < first + out.entries; ++i) {
+            const glm::dvec3 here(density[i]);
+            const glm::dvec3 next(i + 1 < first + out.entries ? density[i + 1] : density[i]);
+            const device::uint packed = packedSlopes((next - here) / out.slopeUnit);
+            out.values.push_back({device::uvec3(glm::round(sum / out.integralUnit)), packed});
+            sum += 0.5 * (here + next);
+        }
+    }
+}
+
 // Largest table per grating; beyond it the steps grow.
 constexpr double kLargest_bytes = 64.0 * 1024.0 * 1024.0;
 
@@ -155,7 +200,7 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     // Steps per unit of u: 113 per micrometre of the whole extent, or 1400 per micrometre of the period
     // without the zero order, each for 2.5e-4 instead of 1e-3 and per unit instead of per two.
     const double entryBytes =
-        static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0) * 2.0 * sizeof(glm::vec3);
+        static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0) * sizeof(device::ResponseEntry);
     const double wanted = std::max(64.0, zeroOrder ? 113.0 * extent_um : 1400.0 * period_um);
     const double perU = std::min(wanted, kLargest_bytes / entryBytes / (2.0 * conical));
 
@@ -168,17 +213,12 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     const auto below = static_cast<int>(std::ceil((conical + lit.alphaIn) * perU)) + 1;
     const auto above = static_cast<int>(std::ceil((conical - lit.alphaIn) * perU)) + 1;
     const auto entries = static_cast<device::uint>(below + above + 1);
-    SlitResponse out{-below / perU, perU, entries, {}};
-    const std::size_t perTable = std::size_t{6} * entries;
-    out.values.resize(reflectances * (device::SPECTRAL_BANDS + 1) * perTable);
+    std::vector<glm::vec3> density(reflectances * (device::SPECTRAL_BANDS + 1) * entries);
 
     const auto store = [&](std::size_t table, int signedEntry, glm::dvec3 color) {
         const int entry = signedEntry + below;
         if (entry < 0 || entry >= static_cast<int>(entries)) return;
-        for (int i = 0; i < 3; ++i) {
-            out.values[table * perTable + 3U * static_cast<std::size_t>(entry) +
-                       static_cast<std::size_t>(i)] = static_cast<float>(color[i]);
-        }
+        density[table * entries + static_cast<std::size_t>(entry)] = color;
     };
 
     // The undeviated beam is followed by the device as far as this; the rest of it is in the response.
@@ -247,19 +287,8 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     }
     workers.clear();  // waits for them
 
-    // Prefix sums, in steps: entry i holds the integral from the first entry to it.
-    for (std::size_t table = 0; table < out.values.size() / perTable; ++table) {
-        const float* density = out.values.data() + table * perTable;
-        float* prefix = out.values.data() + table * perTable + std::size_t{3} * entries;
-        glm::dvec3 sum(0.0);
-        for (std::size_t entry = 0; entry < entries; ++entry) {
-            for (int i = 0; i < 3; ++i) {
-                const std::size_t at = 3 * entry + static_cast<std::size_t>(i);
-                if (entry > 0) sum[i] += 0.5 * (double{density[at - 3]} + double{density[at]});
-                prefix[at] = static_cast<float>(sum[i]);
-            }
-        }
-    }
+    SlitResponse out{-below / perU, perU, entries, 0.0, 0.0, {}};
+    encode(density, out);
     return out;
 }
 

@@ -32,10 +32,12 @@ struct SlitResponse {
     double firstU;
     double perU;  // entries per unit of u
     device::uint entries;
-    std::vector<float> values;  // [reflectance][sum of the bands, then each][density, prefix sum][entry][xyz]
+    double integralUnit;                        // of the entries, in colour times steps
+    double slopeUnit;                           // in colour per step
+    std::vector<device::ResponseEntry> values;  // [reflectance][sum of the bands, then each][entry]
 };
 
-// `tables` must know all reflectances. Interpolating linearly errs by about 2.5e-4 of the highest entry
+// `tables` must know all reflectances. A mean over a window of a step errs by about 2e-4 of the highest entry
 // (docs/theory.md, "Tables").
 SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
                           bool zeroOrder);

@@ -34,6 +34,8 @@ vk::raii::Buffer createBuffer(const Device& device, vk::DeviceSize bytes) {
     return {device.handle(), {{}, bytes, usage}};
 }
 
+}  // namespace
+
 vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, Access access) {
     for (const vk::MemoryPropertyFlags wish : wishes(access)) {
         if (const auto type = device.memoryType(needs.memoryTypeBits, wish)) {
@@ -43,8 +45,6 @@ vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequiremen
     throw DeviceError(
         "the device has no memory of the kind needed (Vulkan promises one; the driver is faulty)");
 }
-
-}  // namespace
 
 Buffer::Buffer(const Device& device, vk::DeviceSize bytes, Access access)
     : size_(bytes), buffer_(nullptr), memory_(nullptr) {

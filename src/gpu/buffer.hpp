@@ -34,6 +34,9 @@ private:
     std::span<std::byte> mapped_;
 };
 
+// Memory for something that needs it. Throws DeviceError when there is none; out of memory as vk::Error.
+vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, Access access);
+
 // Whether Access::shared can be had: then a result needs no copy to be read.
 bool hasSharedMemory(const Device& device);
 

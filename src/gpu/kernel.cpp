@@ -12,10 +12,14 @@ namespace {
 // Far beyond any tile (render keeps those near 50 ms); a device that needs longer hangs.
 constexpr std::uint64_t kTimeout_ns = 60'000'000'000;
 
+bool isBound(const Binding& binding) {
+    return binding.buffer || binding.image;
+}
+
 vk::raii::DescriptorSetLayout createBindings(const Device& device, std::span<const Binding> bindings) {
     std::vector<vk::DescriptorSetLayoutBinding> layout;
     for (const Binding& binding : bindings) {
-        layout.emplace_back(static_cast<std::uint32_t>(layout.size()), binding.type, 1,
+        layout.emplace_back(static_cast<std::uint32_t>(layout.size()), binding.type, isBound(binding) ? 1 : 0,
                             vk::ShaderStageFlagBits::eCompute);
     }
     return {device.handle(), {{}, layout}};
@@ -36,7 +40,8 @@ vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uin
 
 vk::raii::DescriptorPool createPool(const Device& device, std::span<const Binding> bindings) {
     std::map<vk::DescriptorType, std::uint32_t> counts;
-    for (const Binding& binding : bindings) ++counts[binding.type];
+    for (const Binding& binding : bindings)
+        if (isBound(binding)) ++counts[binding.type];
     std::vector<vk::DescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
     return {device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes}};
@@ -119,16 +124,19 @@ void Kernel::bind(std::span<const Binding> bindings) {
     guarded("binding buffers to the shader", [&] {
         texels_.clear();
         std::vector<vk::DescriptorBufferInfo> buffers;
+        std::vector<vk::DescriptorImageInfo> images;
         std::vector<vk::BufferView> views(bindings.size());
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
             const Binding& binding = bindings[i];
             buffers.emplace_back(binding.buffer, binding.offset, binding.size);
+            images.emplace_back(nullptr, binding.image, vk::ImageLayout::eShaderReadOnlyOptimal);
             if (binding.type == vk::DescriptorType::eUniformTexelBuffer)
                 views[i] = *texels_.emplace_back(createView(device_, binding));
         }
         std::vector<vk::WriteDescriptorSet> writes;
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
-            writes.emplace_back(*set_, i, 0, 1, bindings[i].type, nullptr, &buffers[i], &views[i]);
+            if (isBound(bindings[i]))
+                writes.emplace_back(*set_, i, 0, 1, bindings[i].type, &images[i], &buffers[i], &views[i]);
         }
         device_.handle().updateDescriptorSets(writes, nullptr);
     });
@@ -148,6 +156,25 @@ void Kernel::run(std::span<const Groups> firstGroups, Groups groups) const {
                 {Stage::eHost | Stage::eTransfer, Use::eHostRead | Use::eTransferRead});
         commands_.end();
         submitAndWait(device_, commands_, done_);
+    });
+}
+
+void fill(const Device& device, vk::Buffer from, vk::Image image, vk::Extent3D extent) {
+    using Layout = vk::ImageLayout;
+    constexpr auto kColor = vk::ImageAspectFlagBits::eColor;
+    const auto become = [&](const vk::raii::CommandBuffer& commands, Layout before, Layout after,
+                            vk::AccessFlags wrote, vk::AccessFlags reads) {
+        commands.pipelineBarrier(
+            Stage::eTransfer, Stage::eTransfer | Stage::eComputeShader, {}, nullptr, nullptr,
+            vk::ImageMemoryBarrier(wrote, reads, before, after, VK_QUEUE_FAMILY_IGNORED,
+                                   VK_QUEUE_FAMILY_IGNORED, image, {kColor, 0, 1, 0, 1}));
+    };
+    transfer(device, [&](const vk::raii::CommandBuffer& commands) {
+        become(commands, Layout::eUndefined, Layout::eTransferDstOptimal, {}, Use::eTransferWrite);
+        commands.copyBufferToImage(from, image, Layout::eTransferDstOptimal,
+                                   vk::BufferImageCopy(0, 0, 0, {kColor, 0, 0, 1}, {0, 0, 0}, extent));
+        become(commands, Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal, Use::eTransferWrite,
+               Use::eShaderRead);
     });
 }
 

@@ -16,10 +16,11 @@ constexpr vk::Format kTexelFormat = vk::Format::eR32G32B32A32Uint;
 constexpr vk::DeviceSize kTexelBytes = 16;
 
 struct Binding {
-    vk::DescriptorType type;  // uniform, storage or uniform texel buffer
-    vk::Buffer buffer;
+    vk::DescriptorType type;  // uniform, storage or uniform texel buffer, or sampled image
+    vk::Buffer buffer;        // null for an image; without either, nothing is bound to this number
     vk::DeviceSize offset;
     vk::DeviceSize size;
+    vk::ImageView image{};
 };
 
 struct Groups {
@@ -57,6 +58,10 @@ private:
     vk::raii::CommandBuffer commands_;
     vk::raii::Fence done_;
 };
+
+// Copies a buffer's bytes, row by row, to an image nobody has used yet, makes it readable by shaders, and
+// waits.
+void fill(const Device& device, vk::Buffer from, vk::Image image, vk::Extent3D extent);
 
 // Copies between buffers and waits.
 void copy(const Device& device, const Copy& what);

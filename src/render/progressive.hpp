@@ -29,7 +29,7 @@ public:
     // From now on the samples are of this scene. Compiles a pipeline, which takes a fraction of a second or
     // more, unless one of the last few serves its constants. Throws gpu::DeviceError; then show() is needed
     // before anything else.
-    void show(const compile::CompiledScene& scene, const device::Specialisation& constants);
+    void show(const compile::CompiledScene& scene, device::Specialisation constants);
 
     // The same scene in another frame (compile::setView). Precondition: its constants are those of show(),
     // and it has no more rows and columns than the frame of show().
@@ -65,6 +65,7 @@ private:
     const gpu::Device& device_;
     device::Frame frame_{};
     std::optional<gpu::Buffer> scene_;
+    std::optional<gpu::Texels> responses_;
     std::optional<Film> film_;
     std::vector<std::unique_ptr<Pipeline>> pipelines_;  // the one in use last
     std::uint32_t samples_ = 0;

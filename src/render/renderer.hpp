@@ -10,6 +10,7 @@
 
 #include "compile/compiled_scene.hpp"
 #include "gpu/kernel.hpp"
+#include "gpu/texels.hpp"
 #include "image/image.hpp"
 #include "render/film.hpp"
 
@@ -70,6 +71,7 @@ private:
     Clocks clocks_;
     std::uint32_t bandRows_;
     gpu::Buffer scene_;
+    std::optional<gpu::Texels> responses_;
     Film film_;
     std::optional<gpu::Kernel> kernel_;
 };

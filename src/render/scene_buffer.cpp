@@ -8,6 +8,9 @@
 namespace fringe::render {
 namespace {
 
+// Number of the responses' binding; the tree, which comes last, follows.
+constexpr std::ptrdiff_t kResponses = 17;
+
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(const gpu::Device& device)
@@ -99,8 +102,13 @@ void upload(const SceneLayout& layout, const gpu::Buffer& buffer) {
     }
 }
 
+std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device) {
+    if (scene.slitGratings.empty() && scene.openingGratings.empty() && !scene.inBands) return std::nullopt;
+    return gpu::Texels(device, std::as_bytes(std::span(scene.responses)), device::RESPONSE_ROW);
+}
+
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film) {
+                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses) {
     const SceneLayout::Range& block = layout.ranges.front();
     std::vector<gpu::Binding> result;
     for (const SceneLayout::Range& range : layout.ranges) {
@@ -108,6 +116,9 @@ std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer&
         result.push_back({range.type, scene.handle(), place.offset, place.size});
     }
     result.insert(result.begin() + 1, {vk::DescriptorType::eStorageBuffer, film.handle(), 0, film.size()});
+    result.insert(
+        result.begin() + kResponses,
+        {vk::DescriptorType::eSampledImage, {}, 0, 0, responses ? responses->view() : vk::ImageView()});
     return result;
 }
 

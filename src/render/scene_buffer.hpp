@@ -1,10 +1,12 @@
 // All of a compiled scene's arrays in one buffer: one allocation and one upload.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compile/compiled_scene.hpp"
 #include "gpu/kernel.hpp"
+#include "gpu/texels.hpp"
 
 namespace fringe::render {
 
@@ -27,9 +29,13 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
 // Copies the arrays to their places.
 void upload(const SceneLayout& layout, const gpu::Buffer& buffer);
 
+// The response tables for shaders that know gratings, one texel where the scene has none of them; nothing for
+// other shaders.
+std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device);
+
 // Bindings of shaders/bindings.glsl. An array that is not there is bound to the frame's bytes, which the
 // specialised shader never reads as such: Vulkan wants every binding to be valid, and this costs no memory.
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film);
+                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses);
 
 }  // namespace fringe::render

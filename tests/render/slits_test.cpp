@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <ostream>
 
 #include "optics/color.hpp"
@@ -257,6 +258,47 @@ INSTANTIATE_TEST_SUITE_P(
                            optics::laser(550.0 * nm, {}), kGrey, 0.28, 0.01, 2e-2},
                       Case{"the beam's edge", slits(5, 1, 2), rectangularBeam(5.0 * mm, 50.0 * mm), kDaylight,
                            kGrey, 0.0, 0.015, 1e-2, false, 8, 8}));
+
+// The middle of each order's image of an oblique beam, against the conical grating equation (E. Loewen, E.
+// Popov, "Diffraction Gratings and Applications", 2.1): alpha = alpha_in + m wavelength / period, beta =
+// beta_in. The image of 0.6 mm weighs its near side more, by a relative 1e-3 a millimetre or so: 1e-7 m of
+// the middle's place.
+TEST(OrdersOnDevice, GoWhereTheConicalGratingEquationSays) {
+    constexpr std::uint32_t kPixels = 96;
+    constexpr double kField = 2.4e-3;  // metres
+    const dvec3 in = glm::normalize(dvec3(0.2, 0.1, -1.0));
+    for (const int order : {-2, -1, 1}) {
+        const double alpha = in.x + order * 0.55 / 2.0, beta = in.y;
+        const double gamma = std::sqrt(1.0 - alpha * alpha - beta * beta);
+        const double x = alpha / gamma, y = beta / gamma;  // on the wall, 1 m away
+        Case place{"",
+                   slits(400, 1, 2),
+                   rectangularBeam(0.6 * mm, 1.0 * mm),
+                   optics::laser(550.0 * nm, {}),
+                   kGrey,
+                   x,
+                   kField / kPixels,
+                   0.0};
+        place.beam.direction = in;
+        place.columns = place.rows = kPixels;
+        scene::Scene scene = sceneOf(place);
+        scene.camera.position.y = scene.camera.target.y = y;
+        const image::Image picture = renderOnDevice(scene);
+        double sum = 0.0, right = 0.0, up = 0.0;
+        for (std::uint32_t row = 0; row < kPixels; ++row) {
+            for (std::uint32_t column = 0; column < kPixels; ++column) {
+                const double value = picture.pixels[std::size_t{row} * kPixels + column].y;
+                sum += value;
+                right += value * ((column + 0.5) / kPixels - 0.5) * kField;
+                up -= value * ((row + 0.5) / kPixels - 0.5) * kField;
+            }
+        }
+        ASSERT_GT(sum, 0.0) << order;
+        const dvec3 direction = glm::normalize(dvec3(x + right / sum, y + up / sum, -1.0));
+        EXPECT_NEAR(direction.x, alpha, 1e-6) << order;
+        EXPECT_NEAR(direction.y, beta, 1e-6) << order;
+    }
+}
 
 }  // namespace
 }  // namespace fringe::testing

@@ -68,10 +68,11 @@ float footprint(SlitGrating g, uint profile, float offset, float curvature, floa
         return half_ * inversesqrt(square) * exp(-2.0 * offset * offset / square);
     }
     // The share of a window that the geometric image covers.
-    float image = max(half_ * abs(focused) / curvature, 1e-9);
+    float magnified = abs(1.0 - g.convergence * (1.0 / curvature));   // so written, 1 for a collimated beam before anything is computed
+    float image = max(half_ * magnified, 1e-9);
     float window = max(smear, 1e-9);
     float covered = min(abs(offset) + 0.5 * window, image) - max(abs(offset) - 0.5 * window, -image);
-    float value = max(covered, 0.0) / window * half_ / image;
+    float value = max(covered, 0.0) / window * (half_ / image);
 
     if (HAS_RIPPLES == 0u) return value;
     float ripples = ripplesIn(smear, curvature, half_, wavelength);

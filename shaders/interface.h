@@ -232,7 +232,7 @@ struct SlitGrating {
     uint entries;
     uint response;       // in the responses: for each reflectance, for the sum of all bands and each band, the entries
     float integralUnit;  // of the entries
-    float slopeUnit;
+    float slopeUnit;     // in units of the integral
     uint lines;          // in the tables: for each reflectance, wavelengths that are followed one by one
     uint lineCount;
     uint shares;         // in the tables: for each line the share of the beam that each order takes; where orderCount is 0

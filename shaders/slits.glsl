@@ -44,9 +44,8 @@ ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, flo
 vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
     float place = (u - g.firstU) * g.perU;
     float steps = max(width * g.perU, 1.0);
-    float slopeUnit = g.slopeUnit / g.integralUnit;
-    ResponseIntegral from = responseIntegral(table, g.entries, slopeUnit, place - 0.5 * steps);
-    ResponseIntegral to = responseIntegral(table, g.entries, slopeUnit, place + 0.5 * steps);
+    ResponseIntegral from = responseIntegral(table, g.entries, g.slopeUnit, place - 0.5 * steps);
+    ResponseIntegral to = responseIntegral(table, g.entries, g.slopeUnit, place + 0.5 * steps);
     return (vec3(to.whole - from.whole) + (to.rest - from.rest)) * (g.integralUnit / steps);
 }
 
@@ -260,11 +259,12 @@ float changeOnSurface(vec3 gradient, vec3 normal, vec3 slant) {
 vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance,
                       Throughput throughput) {
     GratingView v = viewFrom(g, offset);
-    vec3 direction = (v.conical * v.x / v.rho) * g.across + g.betaIn * g.along + (v.conical * v.z / v.rho) * g.normal;
+    float nearness = 1.0 / v.rho;
+    vec3 direction = (v.conical * nearness) * (v.x * g.across + v.z * g.normal) + g.betaIn * g.along;
     float facing = -dot(direction, normal);
     vec3 slant = view / dot(normal, view);
     // How fast the sine and the places on the grating that light comes from change across the picture.
-    float slope = v.conical * v.z / (v.rho * v.rho * v.rho);
+    float slope = v.conical * v.z * nearness * nearness * nearness;
     float ofSine = pixel * changeOnSurface(slope * (v.z * g.across - v.x * g.normal), normal, slant);
     float blur = sqrt(ofSine * ofSine + g.angularSize * g.angularSize);
     v.smear = pixel * vec2(changeOnSurface(g.across - (v.x / v.z) * g.normal, normal, slant),

@@ -163,14 +163,15 @@ void encode(const std::vector<glm::vec3>& density, SlitResponse& out) {
         total = std::max({total, sum.x, sum.y, sum.z});
     }
     out.integralUnit = total / kLargestIntegral;
-    out.slopeUnit = std::ldexp(steepest / kLargestSlope, -kLargestShift);
+    const double slopeUnit = std::ldexp(steepest / kLargestSlope, -kLargestShift);
+    out.slopeUnit = slopeUnit / out.integralUnit;
     out.values.reserve(density.size());
     for (std::size_t first = 0; first < density.size(); first += out.entries) {
         glm::dvec3 sum(0.0);
         for (std::size_t i = first; i < first + out.entries; ++i) {
             const glm::dvec3 here(density[i]);
             const glm::dvec3 next(i + 1 < first + out.entries ? density[i + 1] : density[i]);
-            const device::uint packed = packedSlopes((next - here) / out.slopeUnit);
+            const device::uint packed = packedSlopes((next - here) / slopeUnit);
             out.values.push_back({device::uvec3(glm::round(sum / out.integralUnit)), packed});
             sum += 0.5 * (here + next);
         }

@@ -24,7 +24,7 @@ double airy(double x) {
 Complex firstDifference(double x, double y) {
     const double half = 0.5 * (y - x);
     const double ratio = std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half;
-    return std::polar(ratio, 0.5 * (x + y));
+    return ratio * std::polar(1.0, 0.5 * (x + y));  // the ratio may be negative
 }
 
 // The second divided difference of exp at i times each phase. By the largest spread, or, where that would

@@ -11,12 +11,8 @@
 
 namespace fringe::gpu {
 
-// Of texel buffers: four unsigned words, which every device reads.
-constexpr vk::Format kTexelFormat = vk::Format::eR32G32B32A32Uint;
-constexpr vk::DeviceSize kTexelBytes = 16;
-
 struct Binding {
-    vk::DescriptorType type;  // uniform, storage or uniform texel buffer, or sampled image
+    vk::DescriptorType type;  // uniform or storage buffer, or sampled image
     vk::Buffer buffer;        // null for an image; without either, nothing is bound to this number
     vk::DeviceSize offset;
     vk::DeviceSize size;
@@ -50,9 +46,8 @@ public:
 private:
     const Device& device_;
     vk::raii::DescriptorSetLayout bindings_;
-    vk::raii::PipelineLayout layout_;           // needs bindings_
-    vk::raii::Pipeline pipeline_;               // needs layout_
-    std::vector<vk::raii::BufferView> texels_;  // of texel buffers
+    vk::raii::PipelineLayout layout_;  // needs bindings_
+    vk::raii::Pipeline pipeline_;      // needs layout_
     vk::raii::DescriptorPool pool_;
     vk::raii::DescriptorSet set_;  // lives in pool_
     vk::raii::CommandBuffer commands_;

@@ -114,8 +114,6 @@ struct TreeNode {
     uint unusedHigh;
 };
 
-const uint TEXEL_ROW = 4096u;   // the tree and the response tables lie in images of so many texels a row
-
 const uint TREE_LEAF = 0x80000000u;
 const uint TREE_KIND_SHIFT = 28u;
 
@@ -250,6 +248,8 @@ struct ResponseEntry {
     uvec3 integral;      // in units of the grating's, steps of the table
     uint slopes;         // three signed numbers of nine bits, to be shifted by the uppermost five
 };
+const uint RESPONSE_ROW = 4096u;     // entries lie in an image of so many a row
+
 const uint RECTANGULAR_OPENING = 1u;
 const uint CIRCULAR_OPENING = 2u;
 const uint RING_OPENING = 3u;

@@ -26,7 +26,7 @@ struct ResponseIntegral {
     vec3 rest;
 };
 
-uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % TEXEL_ROW, at / TEXEL_ROW), 0); }
+uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % RESPONSE_ROW, at / RESPONSE_ROW), 0); }
 
 // Exact for a response that is linear between its entries. `slopeUnit` in units of the integral.
 ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, float place) {

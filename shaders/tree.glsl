@@ -3,7 +3,7 @@
 
 #if TREE
 // In texels, because lavapipe fetches four words of a texel at once, and those of a storage buffer one by one, lane by lane.
-layout(set = 0, binding = 18) uniform utexture2D treeTexels;
+layout(set = 0, binding = 18) uniform usamplerBuffer treeTexels;
 
 const uint TREE_END = 0xffffffffu;
 
@@ -37,11 +37,11 @@ void hitTree(vec3 o, vec3 d, bool any, inout Hit hit) {
     uint at = 0u;
     for (;;) {
         while (at < TREE_LEAF) {
-            ivec2 texel = ivec2(4u * at % TEXEL_ROW, 4u * at / TEXEL_ROW);   // a node's four lie in one row
-            uvec4 lowLeft = texelFetch(treeTexels, texel, 0);
-            uvec4 highLeft = texelFetch(treeTexels, texel + ivec2(1, 0), 0);
-            uvec4 lowRight = texelFetch(treeTexels, texel + ivec2(2, 0), 0);
-            uvec4 highRight = texelFetch(treeTexels, texel + ivec2(3, 0), 0);
+            int texel = int(4u * at);
+            uvec4 lowLeft = texelFetch(treeTexels, texel);
+            uvec4 highLeft = texelFetch(treeTexels, texel + 1);
+            uvec4 lowRight = texelFetch(treeTexels, texel + 2);
+            uvec4 highRight = texelFetch(treeTexels, texel + 3);
             float left = enterBox(uintBitsToFloat(lowLeft.xyz), uintBitsToFloat(highLeft.xyz), o, inverse, hit.t);
             float right = enterBox(uintBitsToFloat(lowRight.xyz), uintBitsToFloat(highRight.xyz), o, inverse, hit.t);
             bool rightFirst = right < left;

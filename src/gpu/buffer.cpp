@@ -29,8 +29,8 @@ std::array<vk::MemoryPropertyFlags, 2> wishes(Access access) {
 
 vk::raii::Buffer createBuffer(const Device& device, vk::DeviceSize bytes) {
     using Usage = vk::BufferUsageFlagBits;
-    const vk::BufferUsageFlags usage =
-        Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+    const vk::BufferUsageFlags usage = Usage::eStorageBuffer | Usage::eUniformBuffer |
+                                       Usage::eUniformTexelBuffer | Usage::eTransferSrc | Usage::eTransferDst;
     return {device.handle(), {{}, bytes, usage}};
 }
 

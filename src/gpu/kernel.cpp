@@ -47,6 +47,11 @@ vk::raii::DescriptorPool createPool(const Device& device, std::span<const Bindin
     return {device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes}};
 }
 
+vk::raii::BufferView createView(const Device& device, const Binding& binding) {
+    return {device.handle(),
+            vk::BufferViewCreateInfo({}, binding.buffer, kTexelFormat, binding.offset, binding.size)};
+}
+
 vk::raii::CommandBuffer createCommands(const Device& device) {
     return std::move(vk::raii::CommandBuffers(
         device.handle(), {*device.commandPool(), vk::CommandBufferLevel::ePrimary, 1})[0]);
@@ -117,16 +122,21 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, std::
 
 void Kernel::bind(std::span<const Binding> bindings) {
     guarded("binding buffers to the shader", [&] {
+        texels_.clear();
         std::vector<vk::DescriptorBufferInfo> buffers;
         std::vector<vk::DescriptorImageInfo> images;
-        for (const Binding& binding : bindings) {
+        std::vector<vk::BufferView> views(bindings.size());
+        for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+            const Binding& binding = bindings[i];
             buffers.emplace_back(binding.buffer, binding.offset, binding.size);
             images.emplace_back(nullptr, binding.image, vk::ImageLayout::eShaderReadOnlyOptimal);
+            if (binding.type == vk::DescriptorType::eUniformTexelBuffer)
+                views[i] = *texels_.emplace_back(createView(device_, binding));
         }
         std::vector<vk::WriteDescriptorSet> writes;
         for (std::uint32_t i = 0; i < bindings.size(); ++i) {
             if (isBound(bindings[i]))
-                writes.emplace_back(*set_, i, 0, 1, bindings[i].type, &images[i], &buffers[i]);
+                writes.emplace_back(*set_, i, 0, 1, bindings[i].type, &images[i], &buffers[i], &views[i]);
         }
         device_.handle().updateDescriptorSets(writes, nullptr);
     });

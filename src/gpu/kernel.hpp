@@ -11,8 +11,12 @@
 
 namespace fringe::gpu {
 
+// Of texel buffers: four unsigned words, which every device reads.
+constexpr vk::Format kTexelFormat = vk::Format::eR32G32B32A32Uint;
+constexpr vk::DeviceSize kTexelBytes = 16;
+
 struct Binding {
-    vk::DescriptorType type;  // uniform or storage buffer, or sampled image
+    vk::DescriptorType type;  // uniform, storage or uniform texel buffer, or sampled image
     vk::Buffer buffer;        // null for an image; without either, nothing is bound to this number
     vk::DeviceSize offset;
     vk::DeviceSize size;
@@ -46,8 +50,9 @@ public:
 private:
     const Device& device_;
     vk::raii::DescriptorSetLayout bindings_;
-    vk::raii::PipelineLayout layout_;  // needs bindings_
-    vk::raii::Pipeline pipeline_;      // needs layout_
+    vk::raii::PipelineLayout layout_;           // needs bindings_
+    vk::raii::Pipeline pipeline_;               // needs layout_
+    std::vector<vk::raii::BufferView> texels_;  // of texel buffers
     vk::raii::DescriptorPool pool_;
     vk::raii::DescriptorSet set_;  // lives in pool_
     vk::raii::CommandBuffer commands_;

@@ -19,7 +19,7 @@ vk::Extent3D extentOf(const Device& device, std::size_t bytes, std::uint32_t row
     const std::uint32_t most = device.limits().maxImageDimension2D;
     if (rows > most) {
         throw DeviceError(
-            fmt::format("a table of the scene takes {} MiB, but this device has images of at most {} MiB",
+            fmt::format("response tables take {} MiB, but this device has images of at most {} MiB",
                         bytes >> 20, most * row * kRecord >> 20));
     }
     return {bytes == 0 ? 1 : row, static_cast<std::uint32_t>(rows), 1};
@@ -36,7 +36,7 @@ vk::raii::Image createImage(const Device& device, vk::Extent3D extent) {
 
 Texels::Texels(const Device& device, std::span<const std::byte> records, std::uint32_t row)
     : image_(nullptr), memory_(nullptr), view_(nullptr) {
-    guarded("uploading the scene's tables", [&] {
+    guarded("uploading the response tables", [&] {
         const vk::Extent3D extent = extentOf(device, records.size(), row);
         image_ = createImage(device, extent);
         memory_ = allocate(device, image_.getMemoryRequirements(), Access::deviceOnly);

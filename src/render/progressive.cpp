@@ -40,11 +40,11 @@ void Progressive::show(const compile::CompiledScene& scene, device::Specialisati
     if (!scene_ || scene_->size() < layout.size)
         scene_.emplace(device_, layout.size, gpu::Access::hostWrites);
     upload(layout, *scene_);
-    images_ = uploadImages(scene, device_);
+    responses_ = uploadResponses(scene, device_);
     const std::uint64_t pixels = std::uint64_t{frame_.filmWidth} * wholeGroups(frame_.height);
     if (!film_ || film_->pixels() < pixels) film_.emplace(device_, pixels);
     pipelineFor(variantFor(scene), constants, layout)
-        .kernel.bind(bindings(layout, *scene_, film_->buffer(), images_));
+        .kernel.bind(bindings(layout, *scene_, film_->buffer(), responses_));
     restart();
 }
 
@@ -62,8 +62,8 @@ Progressive::Pipeline& Progressive::pipelineFor(const Variant& variant,
     const Stopwatch watch(compile_ms_);
     std::array<std::uint32_t, device::kSpecialisationCount> values{};
     std::memcpy(values.data(), &constants, sizeof constants);
-    gpu::Kernel kernel(device_, embeddedShader(variant), bindings(layout, *scene_, film_->buffer(), images_),
-                       values);
+    gpu::Kernel kernel(device_, embeddedShader(variant),
+                       bindings(layout, *scene_, film_->buffer(), responses_), values);
     // Drivers may put off compiling until the first dispatch: one workgroup, which restart() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel.run({&corner, 1}, {1, 1, 1});

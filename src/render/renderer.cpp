@@ -111,7 +111,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     {
         const Stopwatch watch(clocks_.upload);
         upload(layout, scene_);
-        images_ = uploadImages(scene, device);
+        responses_ = uploadResponses(scene, device);
     }
     const Stopwatch watch(clocks_.compile);
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
@@ -122,7 +122,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
         withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
         shader = withValues;
     }
-    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer(), images_), constants);
+    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer(), responses_), constants);
     // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel_->run({&corner, 1}, {1, 1, 1});

@@ -8,16 +8,17 @@
 namespace fringe::render {
 namespace {
 
-gpu::Binding binding(const std::optional<gpu::Texels>& image) {
-    return {vk::DescriptorType::eSampledImage, {}, 0, 0, image ? image->view() : vk::ImageView()};
-}
+// Number of the responses' binding; the tree, which comes last, follows.
+constexpr std::ptrdiff_t kResponses = 17;
 
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(const gpu::Device& device)
-        : alignment_(std::max(device.limits().minStorageBufferOffsetAlignment,
-                              device.limits().minUniformBufferOffsetAlignment)),
-          largest_(device.limits().maxStorageBufferRange) {}
+        : alignment_(std::max({device.limits().minStorageBufferOffsetAlignment,
+                               device.limits().minUniformBufferOffsetAlignment,
+                               device.limits().minTexelBufferOffsetAlignment})),
+          largest_(device.limits().maxStorageBufferRange),
+          mostTexels_(device.limits().maxTexelBufferElements) {}
 
     void addBlock(const device::SceneBlock& block) {
         layout_.block = block;
@@ -42,6 +43,19 @@ public:
         add(vk::DescriptorType::eStorageBuffer, elements.data(), size);
     }
 
+    // Only shaders that read a tree have its binding.
+    void addTree(const std::vector<device::TreeNode>& nodes) {
+        if (nodes.empty()) return;
+        const vk::DeviceSize size = nodes.size() * sizeof(device::TreeNode);
+        const vk::DeviceSize texels = size / gpu::kTexelBytes;
+        if (texels > mostTexels_) {
+            throw gpu::DeviceError(fmt::format(
+                "a tree of {} shapes takes {} texels, but this device reads at most {} of a buffer",
+                nodes.size() + 1, texels, mostTexels_));
+        }
+        add(vk::DescriptorType::eUniformTexelBuffer, nodes.data(), size);
+    }
+
     SceneLayout take() { return std::move(layout_); }
 
 private:
@@ -54,6 +68,7 @@ private:
     SceneLayout layout_;
     vk::DeviceSize alignment_;
     vk::DeviceSize largest_;
+    vk::DeviceSize mostTexels_;
 };
 
 }  // namespace
@@ -76,6 +91,7 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addAll("table entries", scene.tables);
     builder.addMany("gratings", scene.openingGratings);
     builder.addMany("optical discs", scene.opticalDiscs);
+    builder.addTree(scene.tree.nodes);
     return builder.take();
 }
 
@@ -86,19 +102,13 @@ void upload(const SceneLayout& layout, const gpu::Buffer& buffer) {
     }
 }
 
-SceneImages uploadImages(const compile::CompiledScene& scene, const gpu::Device& device) {
-    SceneImages images;
-    if (!scene.slitGratings.empty() || !scene.openingGratings.empty() || scene.inBands) {
-        images.responses.emplace(device, std::as_bytes(std::span(scene.responses)), device::TEXEL_ROW);
-    }
-    if (!scene.tree.nodes.empty()) {
-        images.tree.emplace(device, std::as_bytes(std::span(scene.tree.nodes)), device::TEXEL_ROW);
-    }
-    return images;
+std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device) {
+    if (scene.slitGratings.empty() && scene.openingGratings.empty() && !scene.inBands) return std::nullopt;
+    return gpu::Texels(device, std::as_bytes(std::span(scene.responses)), device::RESPONSE_ROW);
 }
 
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film, const SceneImages& images) {
+                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses) {
     const SceneLayout::Range& block = layout.ranges.front();
     std::vector<gpu::Binding> result;
     for (const SceneLayout::Range& range : layout.ranges) {
@@ -106,8 +116,9 @@ std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer&
         result.push_back({range.type, scene.handle(), place.offset, place.size});
     }
     result.insert(result.begin() + 1, {vk::DescriptorType::eStorageBuffer, film.handle(), 0, film.size()});
-    result.push_back(binding(images.responses));
-    result.push_back(binding(images.tree));
+    result.insert(
+        result.begin() + kResponses,
+        {vk::DescriptorType::eSampledImage, {}, 0, 0, responses ? responses->view() : vk::ImageView()});
     return result;
 }
 

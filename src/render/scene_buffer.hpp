@@ -1,4 +1,4 @@
-// All of a compiled scene's arrays in one buffer, and what is read as texels in two images.
+// All of a compiled scene's arrays in one buffer: one allocation and one upload.
 #pragma once
 
 #include <optional>
@@ -29,19 +29,13 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
 // Copies the arrays to their places.
 void upload(const SceneLayout& layout, const gpu::Buffer& buffer);
 
-// What shaders read as texels (gpu::Texels says why); empty where a scene's shader has no such binding.
-struct SceneImages {
-    std::optional<gpu::Texels>
-        responses;  // one texel where a shader knows gratings and the scene has no tables
-    std::optional<gpu::Texels> tree;
-};
-
-// Throws gpu::DeviceError if the device has no image so large.
-SceneImages uploadImages(const compile::CompiledScene& scene, const gpu::Device& device);
+// The response tables for shaders that know gratings, one texel where the scene has none of them; nothing for
+// other shaders.
+std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device);
 
 // Bindings of shaders/bindings.glsl. An array that is not there is bound to the frame's bytes, which the
 // specialised shader never reads as such: Vulkan wants every binding to be valid, and this costs no memory.
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film, const SceneImages& images);
+                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses);
 
 }  // namespace fringe::render

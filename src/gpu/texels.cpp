@@ -20,7 +20,7 @@ vk::Extent3D extentOf(const Device& device, std::size_t bytes, std::uint32_t row
     if (rows > most) {
         throw DeviceError(
             fmt::format("response tables take {} MiB, but this device has images of at most {} MiB",
-                        bytes >> 20, most * row * kRecord >> 20));
+                        bytes >> 20, kRecord * row * most >> 20));
     }
     return {bytes == 0 ? 1 : row, static_cast<std::uint32_t>(rows), 1};
 }

@@ -18,9 +18,9 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-// False if it does not become true in time.
-template <class Condition>
-bool becomes(Condition condition) {
+}  // namespace
+
+bool becomes(const std::function<bool()>& condition) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     while (!condition()) {
         if (std::chrono::steady_clock::now() > end) return false;
@@ -28,8 +28,6 @@ bool becomes(Condition condition) {
     }
     return true;
 }
-
-}  // namespace
 
 Session::Session(const cli::Arguments& arguments)
     : program_(arguments, {.folder = folder_.path(), .environment = {{"DISPLAY", display_.name()}}}) {

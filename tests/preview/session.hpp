@@ -3,12 +3,17 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "cli/program.hpp"
 #include "preview/display.hpp"
 
 namespace fringe::preview {
+
+// Looks until it is so: a window answers in its own time, and what a driver for processors takes no test can
+// know. False if it is not within 30 s.
+bool becomes(const std::function<bool()>& condition);
 
 class Session {
 public:

@@ -30,6 +30,7 @@ struct ProfileOptions {
     std::string grating;
     std::vector<std::string> outputs;
     std::string device;
+    bool closedForm = false;
     bool quiet = false;
     bool json = false;
 };
@@ -53,14 +54,10 @@ glm::dvec3 pointOf(const char* option, const std::string& text) {
     return point;
 }
 
-bool isCsv(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".csv";
-}
-
 // A wrong path is known before anything is started for it.
 void requireOutputs(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
-        if (!isCsv(path) && !plot::isChartFile(path)) {
+        if (!profile::isReportFile(path)) {
             throw InputError(
                 fmt::format("{}: a profile goes to a file that ends in .csv, .svg or .png", path));
         }
@@ -70,23 +67,15 @@ void requireOutputs(const std::vector<std::string>& paths) {
 
 // ---- which grating ------------------------------------------------------------------------------
 
-bool isRuled(const scene::Light& light) {
-    const auto* grating = std::get_if<scene::Grating>(&light.model);
-    const auto* slits = grating != nullptr ? std::get_if<optics::Slits>(&grating->aperture) : nullptr;
-    return slits != nullptr && slits->count > 1;
-}
-
 // The light called so, or the only one that can be a spectrometer; null and a note where there are several.
 const scene::Light* gratingOf(const scene::Scene& scene, const std::string& name,
                               std::vector<std::string>& notes) {
-    std::vector<const scene::Light*> candidates;
+    const std::vector<const scene::Light*> candidates = profile::spectrometersOf(scene);
     std::string names;
-    for (const scene::Light& light : scene.lights) {
+    for (const scene::Light& light : scene.lights)
         if (!name.empty() && light.name == name) return &light;
-        if (!isRuled(light)) continue;
-        candidates.push_back(&light);
-        if (!light.name.empty()) names += (names.empty() ? "" : ", ") + light.name;
-    }
+    for (const scene::Light* light : candidates)
+        if (!light->name.empty()) names += (names.empty() ? "" : ", ") + light->name;
     if (!name.empty()) {
         throw InputError(fmt::format("--grating {}: no light has this name; gratings with names: {}", name,
                                      names.empty() ? "none" : names));
@@ -99,20 +88,9 @@ const scene::Light* gratingOf(const scene::Scene& scene, const std::string& name
 
 // ---- sampling -----------------------------------------------------------------------------------
 
-// Where the samples are: on the surface, which may be slightly curved.
-void placeSamples(const scene::Scene& scene, std::uint32_t count, ProfileReport& report) {
-    report.samples.step = report.line.length() / count;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const glm::dvec3 onLine = report.line.at((i + 0.5) / count);
-        const auto foot = profile::footOn(scene.objects[report.line.object].shape, onLine);
-        report.samples.points.push_back(foot ? foot->point : onLine);
-    }
-}
-
-// The bands are the rows of a picture; they add up to the irradiance, and their mean is the light's mean
-// wavelength. Throws Interrupted.
-void measure(const gpu::Device& device, const scene::Scene& rowScene, Progress& progress,
-             ProfileReport& report) {
+// The picture of the line, a band in each row. Throws Interrupted.
+std::vector<image::Pixel> measure(const gpu::Device& device, const scene::Scene& rowScene,
+                                  Progress& progress) {
     const compile::CompiledScene compiled = compile::compileScene(rowScene, compile::Measure::spectrum);
     render::Renderer renderer(device, compiled, compile::specialise(compiled, rowScene.camera),
                               render::Values::asConstants);
@@ -126,20 +104,7 @@ void measure(const gpu::Device& device, const scene::Scene& rowScene, Progress& 
                              },
                          .tile = 0});
     if (!complete) throw Interrupted();
-
-    const std::uint32_t count = rowScene.image.width;
-    report.bands.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        double sum = 0.0, moment = 0.0;
-        for (device::uint band = 0; band < device::SPECTRAL_BANDS; ++band) {
-            const double irradiance = double{pixels[std::size_t{band} * count + i].y};
-            report.bands[i][band] = irradiance;
-            sum += irradiance;
-            moment += irradiance * compile::bandMiddle_nm(band);
-        }
-        report.samples.irradiance.push_back(sum);
-        report.samples.meanWavelength_nm.push_back(sum > 0.0 ? moment / sum : 0.0);
-    }
+    return pixels;
 }
 
 // Lines finer than the samples show as single samples or not at all.
@@ -161,35 +126,19 @@ void noteCoarseSamples(ProfileReport& report) {
 
 // ---- the command --------------------------------------------------------------------------------
 
-void write(const ProfileReport& report, const std::string& path) {
-    if (!isCsv(path)) {
-        plot::writeChart(path, chartOf(report));
-        return;
-    }
-    const std::string text = csvText(report);
-    image::PendingFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-}
-
 int profileLine(const ProfileOptions& options) {
     catchInterrupts();
     const glm::dvec3 from = pointOf("--from", options.from);
     const glm::dvec3 to = pointOf("--to", options.to);
     const scene::Scene scene = parseSource(options.source, readTextFile(options.source.file));
 
-    ProfileReport report;
-    report.scene = options.source.file;
-    const scene::Light* light = gratingOf(scene, options.grating, report.notes);
-    if (light != nullptr) {
-        report.spectrometer.emplace(*light);
-        report.grating = light->name.empty() ? "without a name" : light->name;
-    }
-    report.line = profile::surfaceUnder(
+    std::vector<std::string> notes;
+    const scene::Light* light = gratingOf(scene, options.grating, notes);
+    const profile::SurfaceLine line = profile::surfaceUnder(
         scene, from, to,
         light != nullptr ? std::get<scene::Grating>(light->model).position : scene.camera.position);
-    const scene::Object& under = scene.objects[report.line.object];
-    report.surface = under.name.empty() ? fmt::format("objects[{}]", report.line.object) : under.name;
+    ProfileReport report{
+        profile::reportOn(scene, options.source.file, line, light, options.samples), {}, notes, {}};
     const scene::Scene rowScene = profile::lineScene(scene, report.line, options.samples);
     requireOutputs(options.outputs);
 
@@ -197,17 +146,23 @@ int profileLine(const ProfileOptions& options) {
     report.device = device.description().name;
     try {
         Progress progress(options.quiet);
-        placeSamples(scene, options.samples, report);
-        measure(device, rowScene, progress, report);
+        profile::takePicture(measure(device, rowScene, progress), report);
     } catch (const Interrupted&) {
         fmt::print(stderr, "fringe: interrupted; nothing was written\n");
         return interruptStatus();
     }
-    report.maxima =
-        profile::readMaxima(report.samples, report.spectrometer ? &*report.spectrometer : nullptr);
     noteCoarseSamples(report);
+    if (options.closedForm) {
+        report.closedForm =
+            profile::closedFormAlong(scene, report.line, report.samples.points, interrupted());
+        if (interrupted()) {
+            fmt::print(stderr, "fringe: interrupted; nothing was written\n");
+            return interruptStatus();
+        }
+        if (!report.closedForm) report.notes.push_back("no light of the scene has a closed form");
+    }
     for (const std::string& path : options.outputs) {
-        write(report, path);
+        profile::writeReport(path, report);
         report.outputs.push_back(path);
     }
     if (options.json) printJson(toJson(report));
@@ -232,6 +187,8 @@ void addProfile(CLI::App& app, Command& chosen) {
     command->add_option("-o,--output", options->outputs, "files to write: .csv, and plots as .svg and .png");
     command->add_option("--device", options->device,
                         "Vulkan device, by index or part of its name (see: fringe devices)");
+    command->add_flag("--closed-form", options->closedForm,
+                      "add a second curve: the textbook's far field of the gratings, without shadows");
     command->add_flag("--quiet", options->quiet, "no progress and no summary");
     command->add_flag("--json", options->json, "print the result as JSON");
     command->callback([=, &chosen] { chosen = [=] { return profileLine(*options); }; });

@@ -29,6 +29,8 @@ constexpr double kPixelsPerPoint = 2.0;
 constexpr double kLeft = 88.0, kRight = kWidth - 24.0, kTop = 172.0, kBottom = kHeight - 90.0;
 constexpr double kStripTop = kHeight - 30.0, kStripBottom = kHeight - 10.0;
 
+constexpr double kLegend = 58.0;  // of the second curve
+
 constexpr double kTextSize = 12.0, kTitleSize = 15.0;
 constexpr double kLabelSpacing = 14.0;  // of labels that stand upright
 constexpr double kHeadroom = 1.06;      // the frame is this much higher than the curve
@@ -45,7 +47,7 @@ class Drawing {
 public:
     Drawing(cairo_t* context, const Chart& chart)
         : cr_(context), chart_(chart), xMin_(chart.x.front()), xMax_(chart.x.back()) {
-        const double highest = *std::max_element(chart.y.begin(), chart.y.end());
+        const double highest = highestShown(chart.y, chart.reference.y);
         yMax_ = highest > 0.0 ? kHeadroom * highest : 1.0;
     }
 
@@ -55,7 +57,11 @@ public:
         cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
         grid();
-        curve();
+        reference();
+        curve(chart_.y);
+        cairo_set_source_rgb(cr_, 0.11, 0.25, 0.55);
+        cairo_set_line_width(cr_, 1.3);
+        cairo_stroke(cr_);
         frame();
         marks();
         strip();
@@ -110,27 +116,46 @@ private:
         text(chart_.yLabel, 22.0, 0.5 * (kTop + kBottom), kTextSize, 0.5, -0.5 * std::numbers::pi);
     }
 
-    // Of more samples than can be seen, the least and the greatest of each quarter point.
-    void curve() {
+    void reference() {
+        if (chart_.reference.y.empty()) return;
+        cairo_save(cr_);
+        cairo_rectangle(cr_, kLeft, kTop, kRight - kLeft, kBottom - kTop);
+        cairo_clip(cr_);
+        curve(chart_.reference.y);
+        const auto stroke = [&] {
+            cairo_set_source_rgb(cr_, 0.87, 0.45, 0.08);
+            cairo_set_line_width(cr_, 2.2);
+            cairo_stroke(cr_);
+        };
+        stroke();
+        cairo_restore(cr_);
+        constexpr double kSample = 24.0;  // of the line, before its label
+        cairo_move_to(cr_, kLeft, kLegend - 4.0);
+        cairo_rel_line_to(cr_, kSample, 0.0);
+        stroke();
+        ink(0.35);
+        text(chart_.reference.label, kLeft + kSample + 6.0, kLegend, kTextSize, 0.0);
+    }
+
+    // The path of a curve: of more samples than can be seen, the least and the greatest of each quarter
+    // point.
+    void curve(const std::vector<double>& y) {
         const std::size_t count = chart_.x.size();
         const auto columns = static_cast<std::size_t>(4.0 * (kRight - kLeft));
         cairo_new_path(cr_);
         if (count <= 2 * columns) {
-            for (std::size_t i = 0; i < count; ++i) cairo_line_to(cr_, toX(chart_.x[i]), toY(chart_.y[i]));
+            for (std::size_t i = 0; i < count; ++i) cairo_line_to(cr_, toX(chart_.x[i]), toY(y[i]));
         } else {
             for (std::size_t column = 0; column < columns; ++column) {
                 const std::size_t first = column * count / columns;
                 const std::size_t last = (column + 1) * count / columns;
-                const auto begin = chart_.y.begin();
+                const auto begin = y.begin();
                 const auto [low, high] = std::minmax_element(begin + static_cast<std::ptrdiff_t>(first),
                                                              begin + static_cast<std::ptrdiff_t>(last));
                 cairo_line_to(cr_, toX(chart_.x[first]), toY(*low));
                 cairo_line_to(cr_, toX(chart_.x[first]), toY(*high));
             }
         }
-        cairo_set_source_rgb(cr_, 0.11, 0.25, 0.55);
-        cairo_set_line_width(cr_, 1.3);
-        cairo_stroke(cr_);
     }
 
     void frame() {
@@ -214,6 +239,14 @@ void draw(cairo_surface_t* surface, double scale, const Chart& chart, const imag
 }
 
 }  // namespace
+
+double highestShown(std::span<const double> y, std::span<const double> reference) {
+    constexpr double kRoom = 1.5;  // for a reference, times the curve
+    const double highest = *std::max_element(y.begin(), y.end());
+    if (reference.empty()) return highest;
+    const double other = *std::max_element(reference.begin(), reference.end());
+    return highest > 0.0 ? std::max(highest, std::min(other, kRoom * highest)) : other;
+}
 
 bool isChartFile(const std::filesystem::path& path) {
     const std::string extension = extensionOf(path);

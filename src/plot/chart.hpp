@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct Mark {
 
 using Color = std::array<std::uint8_t, 3>;  // sRGB
 
+// A second curve over the same x, dashed, under the first.
+struct Reference {
+    std::string label;
+    std::vector<double> y;  // empty: none
+};
+
 struct Chart {
     std::string title;
     std::string subtitle;
@@ -27,12 +34,16 @@ struct Chart {
     std::string yLabel;
     std::vector<double> x;  // ascending, two or more
     std::vector<double> y;  // 0 or more, as many
-    std::vector<Mark> marks;
-    std::vector<Color> strip;  // from the least x to the greatest, evenly; may be empty
+    Reference reference{};  // cut off where it rises high above the first
+    std::vector<Mark> marks{};
+    std::vector<Color> strip{};  // from the least x to the greatest, evenly; may be empty
 };
 
 // Columns that a strip is shown in.
 inline constexpr std::size_t kStripColumns = 1600;
+
+// The largest value that a chart of a curve and its reference (none: empty) has to show.
+double highestShown(std::span<const double> y, std::span<const double> reference);
 
 // Whether the extension names a format of charts, .svg or .png in any case.
 bool isChartFile(const std::filesystem::path& path);

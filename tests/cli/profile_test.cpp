@@ -142,6 +142,27 @@ Table csv(const std::filesystem::path& path, std::vector<std::string>& names) {
     return table;
 }
 
+// The closed form of two slits, beside what the device has: the far field of both, to the 0.4 % by which
+// the paraxial fringes drift apart over 4 cm.
+TEST(ProfileOnDevice, TheClosedFormOfYoungsFringesIsTheirSecondCurve) {
+    const TestFolder folder;
+    const auto file = folder / "young.csv", chart = folder / "young.svg";
+    expectDone(run(Arguments{"profile", laboratory("young.json"), "--closed-form", "-o", file.string(), "-o",
+                             chart.string()} +
+                   line("-0.04,0,-2", "0.04,0,-2")));
+    std::vector<std::string> names;
+    const Table rows = csv(file, names);
+    ASSERT_EQ(names.back(), "closed_form_W_m2");
+    double peak = 0.0, largest = 0.0;
+    for (const std::vector<double>& row : rows) {
+        peak = std::max(peak, row[4]);
+        largest = std::max(largest, std::abs(row.back() - row[4]));
+    }
+    EXPECT_GT(peak, 0.0);
+    EXPECT_LT(largest, 5e-3 * peak);
+    EXPECT_TRUE(std::filesystem::exists(chart));
+}
+
 // power / (4 pi distance^2) times the cosine, whatever the surface is made of; and dark behind a ball.
 TEST(ProfileOnDevice, IrradianceIsThatOfThePointUnderALamp) {
     const TestFolder folder;

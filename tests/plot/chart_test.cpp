@@ -58,6 +58,31 @@ TEST(Chart, IsAPngWithTheStripsColoursBelowTheCurve) {
     EXPECT_GT(picture.at(5, 5).g, 0.99F);  // white around it
 }
 
+TEST(Chart, LeavesRoomForAReferenceButNotForAPeakOfIt) {
+    const std::vector<double> curve{1.0, 2.0}, dark{0.0, 0.0};
+    EXPECT_EQ(highestShown(curve, {}), 2.0);
+    EXPECT_EQ(highestShown(curve, dark), 2.0);
+    EXPECT_EQ(highestShown(curve, std::vector{0.0, 2.5}), 2.5);
+    EXPECT_EQ(highestShown(curve, std::vector{0.0, 100.0}), 3.0);
+    EXPECT_EQ(highestShown(dark, std::vector{0.0, 100.0}), 100.0);
+}
+
+// Orange, behind the dark blue of the curve: flat at half of its height, where the curve is 0.
+TEST(Chart, ShowsTheReference) {
+    const TestFolder folder;
+    Chart with = chart();
+    with.reference = {"reference", std::vector<double>(with.x.size(), 5.0)};
+    writeChart(folder / "a.png", with);
+    const image::Picture picture = image::readImage(folder / "a.png");
+    int orange = 0;
+    for (std::uint32_t y = 344; y < 900; ++y) {
+        const image::RgbPixel& pixel = picture.at(600, y);
+        orange += pixel.r > 0.5F && pixel.b < 0.2F ? 1 : 0;
+    }
+    EXPECT_GE(orange, 3);  // 2.2 points at two pixels each, less their edges
+    EXPECT_LE(orange, 6);
+}
+
 TEST(Chart, IsAnSvgOfLines) {
     const TestFolder folder;
     writeChart(folder / "a.svg", chart());

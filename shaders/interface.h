@@ -227,7 +227,7 @@ struct SlitGrating {
     float count;
     float width_um;
     float period_um;
-    float firstU;        // of the response table, which is in steps of 1 / perU
+    uint zeroEntry;      // of the response table, the one for u = 0; it is in steps of 1 / perU
     float perU;
     uint entries;
     uint response;       // in the responses: for each reflectance, for the sum of all bands and each band, the entries

@@ -28,24 +28,30 @@ struct ResponseIntegral {
 
 uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % RESPONSE_ROW, at / RESPONSE_ROW), 0); }
 
-// Exact for a response that is linear between its entries. `slopeUnit` in units of the integral.
-ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, float place) {
-    float at = clamp(place, 0.0, float(entries) - 1.001);
-    uint i = uint(at);
-    float f = at - float(i);
-    uvec4 entry = responseEntry(table + i);
-    uvec3 step_ = responseEntry(table + i + 1u).xyz - entry.xyz;
+// At `offset` entries from the one that is `base` away from the first. Exact for a response that is linear between its
+// entries. `slopeUnit` in units of the integral.
+ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, int base, float offset) {
+    float whole = floor(offset);
+    int wanted = base + int(whole);
+    int i = clamp(wanted, 0, int(entries) - 2);
+    float f = i == wanted ? offset - whole : i < wanted ? 1.0 : 0.0;
+    uvec4 entry = responseEntry(table + uint(i));
+    uvec3 step_ = responseEntry(table + uint(i) + 1u).xyz - entry.xyz;
     vec3 slopes = vec3((ivec3(entry.w) << ivec3(23, 14, 5)) >> 23);
     float scale = slopeUnit * uintBitsToFloat(((entry.w >> 27) + 127u) << 23);
     return ResponseIntegral(entry.xyz, f * vec3(ivec3(step_)) - (0.5 * f * (1.0 - f) * scale) * slopes);
 }
 
-// Mean of a response over a window of sines, of a step of the table at least; `table` is one band's.
+// Mean of a response over a window of sines, of a step of the table at least; `table` is one band's. The window's ends are
+// counted from the entry next to its middle: among ten thousand entries a float knows a place to a thousandth of a step, and
+// a window of four steps would be wrong by as much.
 vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
-    float place = (u - g.firstU) * g.perU;
+    float place = u * g.perU;
+    float nearest = floor(place);
+    int base = int(nearest) + int(g.zeroEntry);
     float steps = max(width * g.perU, 1.0);
-    ResponseIntegral from = responseIntegral(table, g.entries, g.slopeUnit, place - 0.5 * steps);
-    ResponseIntegral to = responseIntegral(table, g.entries, g.slopeUnit, place + 0.5 * steps);
+    ResponseIntegral from = responseIntegral(table, g.entries, g.slopeUnit, base, (place - nearest) - 0.5 * steps);
+    ResponseIntegral to = responseIntegral(table, g.entries, g.slopeUnit, base, (place - nearest) + 0.5 * steps);
     return (vec3(to.whole - from.whole) + (to.rest - from.rest)) * (g.integralUnit / steps);
 }
 

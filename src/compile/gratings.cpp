@@ -164,7 +164,7 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     const auto here = [&] { return static_cast<device::uint>(values.size()); };
     if (!spectrum.density.empty()) {
         const SlitResponse response = slitResponse(lit, spectrum, tables, !isWide);
-        packed.firstU = toFloat(response.firstU);
+        packed.zeroEntry = response.zeroEntry;
         packed.perU = toFloat(response.perU);
         packed.entries = response.entries;
         packed.integralUnit = toFloat(response.integralUnit);

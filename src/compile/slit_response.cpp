@@ -288,7 +288,7 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     }
     workers.clear();  // waits for them
 
-    SlitResponse out{-below / perU, perU, entries, 0.0, 0.0, {}};
+    SlitResponse out{static_cast<device::uint>(below), perU, entries, 0.0, 0.0, {}};
     encode(density, out);
     return out;
 }

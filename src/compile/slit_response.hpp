@@ -29,8 +29,8 @@ struct LitSlits {
 //   S(l) response(l) (N d / l) sum_m e_m(l) sinc^2(N (d u/l - m)).
 // Where `zeroOrder` is false its term sinc^2(N t) is left out.
 struct SlitResponse {
-    double firstU;
-    double perU;  // entries per unit of u
+    device::uint zeroEntry;  // the entry for u = 0
+    double perU;             // entries per unit of u
     device::uint entries;
     double integralUnit;                        // of the entries, in colour times steps
     double slopeUnit;                           // in colour per step

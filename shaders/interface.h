@@ -206,6 +206,13 @@ const uint FLAT_BEAM = 0u;      // a disc
 const uint GAUSSIAN_BEAM = 1u;
 const uint RECTANGULAR_BEAM = 2u;
 
+// How the colour of slits is computed where their spectrum is continuous (evaluators.glsl), and single lines by the last two.
+const uint TABLE_EVALUATOR = 0u;
+const uint ORDERS_EVALUATOR = 1u;
+const uint DIRECT_EVALUATOR = 2u;        // this and those that follow: a sum over wavelengths
+const uint SMALL_ANGLE_EVALUATOR = 3u;
+const uint NAIVE_EVALUATOR = 4u;
+
 // Slits in a beam, physically (docs/theory.md). Lengths in the plane of the slits; the aperture's frame is across, along,
 // normal, and the light leaves with direction cosines alpha, beta, gamma along these.
 struct SlitGrating {
@@ -227,10 +234,13 @@ struct SlitGrating {
     float count;
     float width_um;
     float period_um;
-    uint zeroEntry;      // of the response table, the one for u = 0; it is in steps of 1 / perU
+    uint evaluator;
+    uint zeroEntry;      // of the response table, the one for u = 0, wrapped below 0; it is in steps of 1 / perU. By orders,
+                         // wavelengths in um for u
     float perU;
-    uint entries;
-    uint response;       // in the responses: for each reflectance, for the sum of all bands and each band, the entries
+    uint entries;        // or waves in the list
+    uint response;       // in the responses: for each reflectance, for the sum of all bands and each band, the entries; or
+                         // a list of waves (src/compile/wave_tables.hpp)
     float integralUnit;  // of the entries
     float slopeUnit;     // in units of the integral
     uint lines;          // in the tables: for each reflectance, wavelengths that are followed one by one
@@ -300,6 +310,10 @@ const uint LOW_STEPS = 8u;
 const float MIDDLE_STEP_um = 0.005;
 const uint MIDDLE_STEPS = 24u;
 const float HIGH_STEP_um = 0.0125;
+
+// The visible range.
+const float FIRST_WAVE_um = 0.38;
+const float LAST_WAVE_um = 0.78;
 
 // Side lobes of the undeviated beam that are followed; what lies beyond is in the response table.
 const float ZERO_ORDER_LOBES = 30.0;

@@ -108,6 +108,10 @@ Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Mater
         SlitGrating grating = slitGratingAt(i - gratingCount());
         vec3 offset = surface.position - grating.position;
         arrival.value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        if (HAS_NAIVE_EVALUATOR != 0u) {
+            arrival.nonFinite = metNonFinite;
+            metNonFinite = false;
+        }
         from = grating.position + clamp(viewFrom(grating, offset).footY, -grating.halfHeight, grating.halfHeight) * grating.along;
     } else {
         ThesisGrating grating = gratingAt(i);

@@ -31,6 +31,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "materials.glsl"
 #include "lights.glsl"
 #include "beam.glsl"
+#include "evaluators.glsl"
 #include "slits.glsl"
 #include "opening_lights.glsl"
 #include "chords.glsl"

@@ -1,7 +1,6 @@
 // Light from slits in a beam, at any distance where the far field of a single slit holds (docs/theory.md, "Slits").
 // Across the slits the beam spreads by their diffraction, along them it stays the beam, with Fresnel's edges.
-// A continuous spectrum comes out of response tables, integrated over wavelength on the host (src/compile/slit_response.hpp);
-// the lines of a spectrum are followed one by one.
+// What a continuous spectrum makes is evaluators.glsl's; the lines of a spectrum are followed one by one.
 
 const float ROUND_PIECES = 24.0;    // that a disc-shaped beam is cut into for a continuous spectrum
 const float GAUSSIAN_PIECES = 8.0;  // likewise a Gaussian beam across wide slits
@@ -17,42 +16,6 @@ bool reachesSlits(SlitGrating g, vec3 position) {
 // Half of the width across the slits that is lit.
 float halfLit(SlitGrating g) {
     return min(g.halfSlits, g.profile == GAUSSIAN_BEAM ? 2.2 * g.halfWidth : g.halfWidth);   // exp(-2 2.2^2) = 6e-5
-}
-
-// The running integral of a response at a place between two entries: what the first one holds, and what comes on top, in
-// the table's own unit of it.
-struct ResponseIntegral {
-    uvec3 whole;
-    vec3 rest;
-};
-
-uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % RESPONSE_ROW, at / RESPONSE_ROW), 0); }
-
-// At `offset` entries from the one that is `base` away from the first. Exact for a response that is linear between its
-// entries. `slopeUnit` in units of the integral.
-ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, int base, float offset) {
-    float whole = floor(offset);
-    int wanted = base + int(whole);
-    int i = clamp(wanted, 0, int(entries) - 2);
-    float f = i == wanted ? offset - whole : i < wanted ? 1.0 : 0.0;
-    uvec4 entry = responseEntry(table + uint(i));
-    uvec3 step_ = responseEntry(table + uint(i) + 1u).xyz - entry.xyz;
-    vec3 slopes = vec3((ivec3(entry.w) << ivec3(23, 14, 5)) >> 23);
-    float scale = slopeUnit * uintBitsToFloat(((entry.w >> 27) + 127u) << 23);
-    return ResponseIntegral(entry.xyz, f * vec3(ivec3(step_)) - (0.5 * f * (1.0 - f) * scale) * slopes);
-}
-
-// Mean of a response over a window of sines, of a step of the table at least; `table` is one band's. The window's ends are
-// counted from the entry next to its middle: among ten thousand entries a float knows a place to a thousandth of a step, and
-// a window of four steps would be wrong by as much.
-vec3 meanResponse(SlitGrating g, uint table, float u, float width) {
-    float place = u * g.perU;
-    float nearest = floor(place);
-    int base = int(nearest) + int(g.zeroEntry);
-    float steps = max(width * g.perU, 1.0);
-    ResponseIntegral from = responseIntegral(table, g.entries, g.slopeUnit, base, (place - nearest) - 0.5 * steps);
-    ResponseIntegral to = responseIntegral(table, g.entries, g.slopeUnit, base, (place - nearest) + 0.5 * steps);
-    return (vec3(to.whole - from.whole) + (to.rest - from.rest)) * (g.integralUnit / steps);
 }
 
 // The wavelength of the order nearest to the visible range's middle.
@@ -101,14 +64,13 @@ vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uin
     float width = sqrt(focused * focused + blur * blur);
     bool bandwise = BANDS > 1u || landing.rippled;
     uint bands = bandwise ? SPECTRAL_BANDS : 1u;
-    uint row = g.response + reflectance * (SPECTRAL_BANDS + 1u) * g.entries;
     vec3 sum = vec3(0.0);
     [[dont_unroll]] for (uint k = 0u; k < bands; ++k) {
         vec2 wave = HAS_RIPPLES != 0u && landing.rippled ? waveInBand(g, u, k) : landing.wave;
         float landed = footprint(g, landing.profile, v.footY, v.conical * v.conical / v.range, landing.halfHeight, wave.x, wave.y,
                                  v.smear.y);
         if (landing.inside) landed = 1.0;
-        sum += landed * throughput.band[BANDS > 1u ? k : 0u] * meanResponse(g, row + (bandwise ? k + 1u : 0u) * g.entries, u, width);
+        sum += landed * throughput.band[BANDS > 1u ? k : 0u] * slitColor(g, reflectance, bandwise ? k + 1u : 0u, u, width);
     }
     return sum * power;
 }
@@ -223,13 +185,7 @@ vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint 
                 value += orderIrradiance(g, v, offset, normal, order, orderShare(g, i, order), wavelength_um, 0.0);
             }
         } else {
-            // Four samples to a fringe; where a sample takes in many, their mean needs no more than sixty-four.
-            float samples = clamp(ceil(4.0 * blur * g.count * g.period_um / wavelength_um), 1.0, 64.0);
-            for (float j = 0.5; j < samples; j += 1.0) {
-                float perTurn = (u + (j / samples - 0.5) * blur) / wavelength_um;
-                value += slitFactor(perTurn * g.width_um) * arrayFactor(perTurn * g.period_um, g.count) / samples;
-            }
-            value *= (g.width_um / wavelength_um / g.count) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
+            value = lineDensity(g, u, blur, wavelength_um) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
                     footprintAlong(g, v, wavelength_um * 1e-6, 0.0) * facing;
         }
         sum += value * waveColor(record, throughput, wavelength_um);

@@ -62,4 +62,9 @@
     X(56, HAS_GROOVES)              \
     X(57, CASTING_DISC_COUNT)       \
     X(58, HAS_RIPPLES)              \
-    X(59, TREE_DEPTH)
+    X(59, TREE_DEPTH)               \
+    X(60, HAS_TABLE_EVALUATOR)      \
+    X(61, HAS_ORDERS_EVALUATOR)     \
+    X(62, HAS_DIRECT_EVALUATOR)     \
+    X(63, HAS_SMALL_ANGLE_EVALUATOR) \
+    X(64, HAS_NAIVE_EVALUATOR)

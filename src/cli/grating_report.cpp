@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "compile/evaluators.hpp"
 #include "compile/gratings.hpp"
 
 namespace fringe::cli {
@@ -40,6 +41,21 @@ struct HalfExtent {
 };
 
 }  // namespace
+
+Json::Value describeEvaluator(const scene::Grating& grating, std::size_t reflectances, double tolerance) {
+    const auto* slits = std::get_if<optics::Slits>(&grating.aperture);
+    if (slits == nullptr) return {};
+    const compile::EvaluatorChoice choice =
+        compile::chooseEvaluator(grating, *slits, reflectances, tolerance);
+    Json::Value json;
+    json["name"] = compile::nameOf(choice.evaluator);
+    json["reason"] = choice.reason;
+    if (choice.wavelengths > 0) json["wavelengths"] = choice.wavelengths;
+    json["estimated_error"] = choice.error;
+    json["cost_in_look_ups"] = choice.cost;
+    json["bytes"] = Json::UInt64{choice.bytes};
+    return json;
+}
 
 Json::Value describeGrating(const scene::Grating& grating) {
     const scene::Beam& beam = grating.beam;

@@ -17,6 +17,12 @@ void addSceneOptions(CLI::App& command, SceneSource& source) {
             "--set", source.overrides,
             "PATH=VALUE: override a value of the scene, as in lights.lamp.power=5W or image.samples=16")
         ->allow_extra_args(false);
+    command
+        .add_option(
+            "--tolerance", source.tolerance,
+            "error of each grating's light that is accepted, as a share of its brightest place, 1e-5 to "
+            "0.1: short for --set image.tolerance=")
+        ->option_text("SHARE");
 }
 
 std::string readTextFile(const std::string& path) {
@@ -38,6 +44,7 @@ std::vector<scene::Override> overridesOf(const SceneSource& source) {
         }
         overrides.push_back({given.substr(0, equals), given.substr(equals + 1)});
     }
+    if (!source.tolerance.empty()) overrides.push_back({"image.tolerance", source.tolerance});
     return overrides;
 }
 

@@ -19,9 +19,10 @@ public:
 struct SceneSource {
     std::string file;
     std::vector<std::string> overrides;  // as given: "PATH=VALUE"
+    std::string tolerance;               // as given: a value for image.tolerance; empty: the scene's
 };
 
-// The positional SCENE and the repeatable --set.
+// The positional SCENE, the repeatable --set, and --tolerance.
 void addSceneOptions(CLI::App& command, SceneSource& source);
 
 // Throws InputError.

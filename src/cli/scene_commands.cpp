@@ -36,7 +36,7 @@ int validate(const ValidateOptions& options) {
             entry["problems"].append(problem);
         };
         try {
-            parseSource({file, {}}, readTextFile(file));
+            parseSource({file, {}, {}}, readTextFile(file));
             if (!options.json) fmt::print("{}: valid\n", file);
         } catch (const scene::SceneError& error) {
             for (const auto& problem : error.problems()) refuse(problem.place, problem.message);
@@ -83,12 +83,16 @@ Json::Value countsOf(const scene::Scene& scene) {
     return counts;
 }
 
-Json::Value ledgerOf(const scene::Scene& scene) {
+Json::Value ledgerOf(const scene::Scene& scene, std::size_t reflectances) {
     Json::Value ledger(Json::arrayValue);
     for (const scene::Light& light : scene.lights) {
         Json::Value entry(Json::objectValue);
-        if (const auto* grating = std::get_if<scene::Grating>(&light.model))
-            entry = describeGrating(*grating);
+        const auto* grating = std::get_if<scene::Grating>(&light.model);
+        if (grating != nullptr) entry = describeGrating(*grating);
+        if (grating != nullptr && !light.spectrum.density.empty()) {
+            const Json::Value evaluator = describeEvaluator(*grating, reflectances, scene.image.tolerance);
+            if (!evaluator.isNull()) entry["evaluator"] = evaluator;
+        }
         if (std::holds_alternative<scene::ThesisGrating>(light.model)) entry["model"] = "thesis";
         entry["type"] = kLightNames[light.model.index()];
         if (!light.name.empty()) entry["name"] = light.name;
@@ -125,9 +129,10 @@ Json::Value describe(const scene::Scene& scene) {
     json["image"]["width"] = scene.image.width;
     json["image"]["height"] = scene.image.height;
     json["image"]["samples"] = scene.image.samples;
+    json["image"]["tolerance"] = scene.image.tolerance;
     json["objects"] = countsOf(scene);
     json["materials"] = static_cast<Json::UInt>(scene.materials.size());
-    json["lights"] = ledgerOf(scene);
+    json["lights"] = ledgerOf(scene, compiled.frame.reflectanceCount);
     json["specialisation"] = constantsOf(compile::specialise(compiled, scene.camera));
     json["device_bytes"]["scene"] = sceneBytes(compiled);
     json["device_bytes"]["whole_film"] =
@@ -142,6 +147,12 @@ std::string beamText(const Json::Value& light) {
         "(at 1 m, 550 nm; it falls with distance, and below 0.1 is the far field)",
         light["leaving_power_W"].asDouble(), light["beam_power_W"].asDouble(), fresnel["across"].asDouble(),
         fresnel["along"].asDouble());
+}
+
+std::string evaluatorText(const Json::Value& evaluator) {
+    return fmt::format("{}: {}; error about {:.1g} of the peak, {:.3g} MiB", evaluator["name"].asString(),
+                       evaluator["reason"].asString(), evaluator["estimated_error"].asDouble(),
+                       static_cast<double>(evaluator["bytes"].asUInt64()) / (1024.0 * 1024.0));
 }
 
 void print(const Json::Value& info) {
@@ -160,6 +171,7 @@ void print(const Json::Value& info) {
                                   : light.isMember("beam_power_W") ? beamText(light)
                                                                    : "no stated power";
         fmt::print("light      {} {}: {}\n", light["type"].asString(), light["name"].asString(), power);
+        if (light.isMember("evaluator")) fmt::print("           by {}\n", evaluatorText(light["evaluator"]));
     }
     std::string features;
     for (const std::string& name : info["specialisation"].getMemberNames()) {

@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "compile/evaluators.hpp"
 #include "compile/number.hpp"
-#include "compile/slit_response.hpp"
+#include "compile/wave_tables.hpp"
 #include "optics/energy.hpp"
 #include "optics/orders.hpp"
 
@@ -14,11 +15,6 @@ namespace fringe::compile {
 namespace {
 
 using namespace units;
-
-// Slits that cover more than this are wide: the undeviated light is then followed apart from the orders, and
-// with it the near field across the slits. Below, the far field holds to 2e-3 from 0.15 m on (Fresnel number
-// 0.005).
-constexpr Length kWide = 40.0 * um;
 
 // From this many on, the lines of wide slits are images of the beam, an order each; what the three nearest
 // orders leave out of the exact sum is 1 / (pi^2 count^2 1.5) of the peak.
@@ -122,7 +118,8 @@ double leavingShare(const scene::Grating& grating) {
 
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 std::vector<float>& values, std::vector<device::ResponseEntry>& responses) {
+                                 double tolerance, std::vector<float>& values,
+                                 std::vector<device::ResponseEntry>& responses) {
     const scene::Beam& beam = grating.beam;
     optics::Slits slits = given;
     if (slits.count == 1) slits.period = slits.width;
@@ -130,7 +127,10 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     const LitSlits lit{slits, grating.efficiencies, glm::dot(beam.direction, across),
                        glm::dot(beam.direction, grating.slitDirection)};
     const Length extent = 1.0 * slits.count * slits.period;
-    const bool isWide = extent > kWide;
+    const EvaluatorChoice choice = chooseEvaluator(grating, slits, tables.reflectances().size(), tolerance);
+    const bool byOrders = choice.evaluator == device::ORDERS_EVALUATOR;
+    const bool isWide = areWide(slits);
+    const bool followsUndeviated = isWide || byOrders;
 
     // Power per area that leaves, averaged over a period; where orders take their shares of it, that arrives.
     double irradiance =
@@ -155,23 +155,33 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
     packed.angularSize = toFloat(beam.angularSize / rad);
     packed.irradiance = toFloat(irradiance);
-    packed.isWide = isWide ? 1U : 0U;
+    packed.isWide = followsUndeviated ? 1U : 0U;
     packed.linesAreImages = (isWide && slits.count >= kManySlits) || !lit.orders.empty() ? 1U : 0U;
+    packed.evaluator = choice.evaluator;
     packed.count = toFloat(slits.count);
     packed.width_um = toFloat(slits.width / um);
     packed.period_um = toFloat(slits.period / um);
 
     const auto here = [&] { return static_cast<device::uint>(values.size()); };
     if (!spectrum.density.empty()) {
-        const SlitResponse response = slitResponse(lit, spectrum, tables, !isWide);
-        packed.zeroEntry = response.zeroEntry;
-        packed.perU = toFloat(response.perU);
-        packed.entries = response.entries;
-        packed.integralUnit = toFloat(response.integralUnit);
-        packed.slopeUnit = toFloat(response.slopeUnit);
         packed.response = count(responses.size());
-        responses.insert(responses.end(), response.values.begin(), response.values.end());
-        if (isWide) {
+        if (choice.wavelengths > 0) {
+            const std::vector<device::ResponseEntry> waves =
+                waveList(lit, spectrum, tables, choice.wavelengths);
+            packed.entries = choice.wavelengths;
+            responses.insert(responses.end(), waves.begin(), waves.end());
+        } else {
+            const SlitResponse response =
+                byOrders ? orderResponse(lit, spectrum, tables)
+                         : slitResponse(lit, spectrum, tables, !isWide, choice.stepsPerU);
+            packed.zeroEntry = response.zeroEntry;
+            packed.perU = toFloat(response.perU);
+            packed.entries = response.entries;
+            packed.integralUnit = toFloat(response.integralUnit);
+            packed.slopeUnit = toFloat(response.slopeUnit);
+            responses.insert(responses.end(), response.values.begin(), response.values.end());
+        }
+        if (followsUndeviated) {
             std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
             divideByShares(lit, undeviated);
             for (SpectralSample& sample : undeviated)

@@ -14,9 +14,10 @@ namespace fringe::compile {
 double leavingShare(const scene::Grating& grating);
 
 // Appends to `values` and `responses` what the device reads beside the record; `tables` must know all
-// reflectances.
+// reflectances. `tolerance`: image.tolerance.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 std::vector<float>& values, std::vector<device::ResponseEntry>& responses);
+                                 double tolerance, std::vector<float>& values,
+                                 std::vector<device::ResponseEntry>& responses);
 
 }  // namespace fringe::compile

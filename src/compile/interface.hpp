@@ -27,7 +27,7 @@ static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);
 static_assert(sizeof(TreeNode) == 64);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
-static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 156 &&
+static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 160 &&
               sizeof(ResponseEntry) == 16);
 static_assert(sizeof(OpeningGrating) == 148 && sizeof(OpeningSample) == 16);
 static_assert(sizeof(OpticalDisc) == 76);

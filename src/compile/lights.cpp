@@ -71,6 +71,7 @@ void addEmitter(EmitterGeometry emitter, double radiance, device::uint spectrum,
 
 struct LightCompiler {
     const scene::Light& light;
+    double tolerance;  // of the picture
     SpectralTables& tables;
     CompiledScene& out;
 
@@ -133,7 +134,7 @@ struct LightCompiler {
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
             out.slitGratings.push_back(
-                compileSlits(l, *slits, light.spectrum, tables, out.tables, out.responses));
+                compileSlits(l, *slits, light.spectrum, tables, tolerance, out.tables, out.responses));
         } else {
             out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, out.tables));
         }
@@ -169,7 +170,8 @@ void addGlowingObjects(const scene::Scene& scene, SpectralTables& tables, Compil
 }
 
 void addLights(const scene::Scene& scene, SpectralTables& tables, CompiledScene& out) {
-    for (const scene::Light& light : scene.lights) std::visit(LightCompiler{light, tables, out}, light.model);
+    for (const scene::Light& light : scene.lights)
+        std::visit(LightCompiler{light, scene.image.tolerance, tables, out}, light.model);
 }
 
 }  // namespace fringe::compile

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <thread>
 
+#include "compile/slit_bins.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 
@@ -56,6 +57,11 @@ const SincSquaredIntegral& sincSquaredIntegral() {
 // Integral of sinc^2(count (t - order)) count over t from t1 to t2, 0 < t1: all orders but 0, or its mean if
 // `zeroOrder`; those further off as their mean.
 double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
+    // Within a part of a fringe, what is in the middle: exact in sum over neighbouring bins.
+    if (count * (t2 - t1) < 0.1) {
+        const double t = 0.5 * (t1 + t2);
+        return (t2 - t1) * count * (fejer(count, t) - (zeroOrder ? 0.0 : sincSquared(count * t)));
+    }
     const int near = static_cast<int>(std::clamp(50.0 / count, 1.0, 8.0));  // 50 side lobes, or 8 orders
     const int first = static_cast<int>(std::floor(t1)) - near;
     const int last = static_cast<int>(std::ceil(t2)) + near;
@@ -68,14 +74,7 @@ double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
     return sum;
 }
 
-// One bin of wavelengths and what the film records of it, per reflectance.
-struct Bin {
-    double wavelength_um;
-    double weight;                   // power over the propagating share
-    std::vector<glm::dvec3> colors;  // response
-    std::vector<double> orders;      // efficiencies, where they are given
-    BandShare share;
-};
+}  // namespace
 
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
                                 const SpectralTables& tables, double step_nm) {
@@ -106,6 +105,8 @@ std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spe
     }
     return bins;
 }
+
+namespace {
 
 // [reflectance][sum, bands]: one colour each.
 class Accumulator {
@@ -149,7 +150,8 @@ device::uint packedSlopes(glm::dvec3 slopes) {
     return packed;
 }
 
-// Densities, one table after the other, as the entries that the device reads.
+}  // namespace
+
 void encode(const std::vector<glm::vec3>& density, SlitResponse& out) {
     constexpr double kLargestIntegral = 2147483647.0;  // differences fit a signed integer
     double total = 1e-20, steepest = 1e-20;  // far below what a light sends, so that units stay normal floats
@@ -178,18 +180,13 @@ void encode(const std::vector<glm::vec3>& density, SlitResponse& out) {
     }
 }
 
-// Largest table per grating; beyond it the steps grow.
-constexpr double kLargest_bytes = 64.0 * 1024.0 * 1024.0;
-
-}  // namespace
-
 double LitSlits::propagatingShare(double wavelength_nm) const {
     if (!orders.empty()) return 1.0;
     return optics::propagatingShare(slits, wavelength_nm * units::nm, alphaIn, betaIn);
 }
 
 SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
-                          bool zeroOrder) {
+                          bool zeroOrder, double perU) {
     const double count = lit.slits.count;
     const double width_um = lit.slits.width / units::um;
     const double period_um = lit.slits.period / units::um;
@@ -197,13 +194,6 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     const std::size_t reflectances = tables.reflectances().size();
     const double conical = std::sqrt(1.0 - lit.betaIn * lit.betaIn);
     const double largestU = conical + std::abs(lit.alphaIn);
-
-    // Steps per unit of u: 113 per micrometre of the whole extent, or 1400 per micrometre of the period
-    // without the zero order, each for 2.5e-4 instead of 1e-3 and per unit instead of per two.
-    const double entryBytes =
-        static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0) * sizeof(device::ResponseEntry);
-    const double wanted = std::max(64.0, zeroOrder ? 113.0 * extent_um : 1400.0 * period_um);
-    const double perU = std::min(wanted, kLargest_bytes / entryBytes / (2.0 * conical));
 
     // Wavelengths: four to the narrowest side lobe for the direct sum; bins of half a nanometre for the
     // orders.
@@ -253,6 +243,17 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         return sum * period_um / bin.wavelength_um;
     };
 
+    // In an order narrower than the bins, from which of the bin's wavelengths the light comes: steps from its
+    // middle.
+    const auto offCentre = [&](const Bin& bin, double u) {
+        const double order = std::nearbyint(period_um * u / bin.wavelength_um);
+        if (zeroOrder || order == 0.0) return 0.0;
+        const double step_um = 1e-3 * step_nm;
+        const double off = (period_um * u / order - bin.wavelength_um) / step_um;
+        const double lineWidth = bin.wavelength_um / (order * count) / step_um;
+        return std::abs(off) <= 0.5 ? off * std::max(1.0 - lineWidth, 0.0) : 0.0;
+    };
+
     const auto storeAll = [&](int entry, const Accumulator& sums) {
         for (std::size_t r = 0; r < reflectances; ++r) {
             for (std::size_t table = 0; table <= device::SPECTRAL_BANDS; ++table) {
@@ -265,7 +266,14 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         const double u = entry / perU;
         if (lit.orders.empty()) {
             sums.clear();
-            for (const Bin& bin : bins) sums.add(bin, bin.weight * amplitudeGrating(bin, u));
+            for (std::size_t i = 0; i < bins.size(); ++i) {
+                const double share = amplitudeGrating(bins[i], u), off = offCentre(bins[i], u);
+                sums.add(bins[i], bins[i].weight * share * (1.0 - std::abs(off)));
+                if (off == 0.0) continue;
+                const Bin& next =
+                    bins[off < 0.0 ? std::max<std::size_t>(i, 1) - 1 : std::min(i + 1, bins.size() - 1)];
+                sums.add(next, next.weight * share * std::abs(off));
+            }
             storeAll(entry, sums);
             storeAll(-entry, sums);
             return;

@@ -37,9 +37,8 @@ struct SlitResponse {
     std::vector<device::ResponseEntry> values;  // [reflectance][sum of the bands, then each][entry]
 };
 
-// `tables` must know all reflectances. A mean over a window of a step errs by about 2e-4 of the highest entry
-// (docs/theory.md, "Tables").
+// `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()).
 SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
-                          bool zeroOrder);
+                          bool zeroOrder, double perU);
 
 }  // namespace fringe::compile

@@ -28,6 +28,12 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         return static_cast<device::uint>(
             std::any_of(compiled.slitGratings.begin(), compiled.slitGratings.end(), has));
     };
+    // For a continuous spectrum.
+    const auto anyEvaluator = [&](device::uint first, device::uint last) {
+        return anySlits([=](const device::SlitGrating& g) {
+            return g.entries > 0 && first <= g.evaluator && g.evaluator <= last;
+        });
+    };
     const auto anyOpening = [&](auto has) {
         return static_cast<device::uint>(
             std::any_of(compiled.openingGratings.begin(), compiled.openingGratings.end(), has));
@@ -107,6 +113,13 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .CASTING_DISC_COUNT = compiled.castingDiscs,
         .HAS_RIPPLES = compiled.ripples,
         .TREE_DEPTH = compiled.tree.depth,
+        .HAS_TABLE_EVALUATOR = anyEvaluator(device::TABLE_EVALUATOR, device::TABLE_EVALUATOR),
+        .HAS_ORDERS_EVALUATOR = anyEvaluator(device::ORDERS_EVALUATOR, device::ORDERS_EVALUATOR),
+        .HAS_DIRECT_EVALUATOR = anyEvaluator(device::DIRECT_EVALUATOR, device::NAIVE_EVALUATOR),
+        .HAS_SMALL_ANGLE_EVALUATOR = anySlits(
+            [](const device::SlitGrating& g) { return g.evaluator == device::SMALL_ANGLE_EVALUATOR; }),
+        .HAS_NAIVE_EVALUATOR =
+            anySlits([](const device::SlitGrating& g) { return g.evaluator == device::NAIVE_EVALUATOR; }),
     };
 }
 

@@ -16,6 +16,7 @@ struct BenchRow {
     // Against the oracle, relative to its highest value in the case; and CIEDE2000 with that value as white.
     double maxError = 0.0;
     double rmsError = 0.0;
+    double worstInput = 0.0;       // where the error is largest: the change of the direction cosine, u
     std::optional<double> deltaE;  // the largest; nothing where the case has no colour
     std::uint64_t nonFinite = 0;   // results that are no number, left out of the errors
 

@@ -31,7 +31,8 @@ Image imageOf(const Node& node) {
             .maxDepth = node["max_depth"].count(),
             .exposure = exposure.isNumber() ? exposure.number() : 0.0,
             .autoExposure = exposure.isText(),
-            .colorSpace = colorSpaceOf(node["color_space"])};
+            .colorSpace = colorSpaceOf(node["color_space"]),
+            .tolerance = node["tolerance"].number()};
 }
 
 Camera cameraOf(const Node& node) {

@@ -161,6 +161,57 @@ void requireInBeam(const Node& light, const Grating& grating) {
         {light["aperture"]});
 }
 
+void takeEfficiencies(const Node& light, Grating& grating) {
+    const Node efficiencies = light["efficiencies"];
+    grating.efficiencies = efficienciesOf(efficiencies);
+    if (grating.efficiency) {
+        light["efficiency"].refuse(
+            "\"efficiency\" stands beside \"efficiencies\", which say the same in detail; keep one of them",
+            {efficiencies});
+    }
+    if (!std::holds_alternative<Slits>(grating.aperture)) {
+        efficiencies.refuse("only slits have orders of their own; write \"efficiency\" for other apertures",
+                            {light["aperture"]});
+    }
+}
+
+bool sumsOverWavelengths(Evaluator evaluator) {
+    return evaluator == Evaluator::direct || evaluator == Evaluator::smallAngle ||
+           evaluator == Evaluator::naive;
+}
+
+void takeEvaluator(const Node& light, Grating& grating) {
+    static const std::map<std::string, Evaluator> evaluators{
+        {"auto", Evaluator::automatic},         {"table", Evaluator::table}, {"direct", Evaluator::direct},
+        {"small-angle", Evaluator::smallAngle}, {"naive", Evaluator::naive}, {"orders", Evaluator::orders}};
+    const Node node = light["evaluator"];
+    grating.evaluator = evaluators.at(node.text());
+    if (grating.evaluator != Evaluator::automatic && !std::holds_alternative<Slits>(grating.aperture)) {
+        node.refuse(
+            fmt::format("\"{}\" is a way to the colour of slits; other apertures are always a sum over "
+                        "wavelengths, so leave it out",
+                        node.text()),
+            {light["aperture"]});
+    }
+    if (grating.evaluator != Evaluator::automatic && grating.evaluator != Evaluator::table &&
+        light.has("efficiencies")) {
+        node.refuse(fmt::format("\"{}\" knows the orders of slits in an opaque screen alone; with "
+                                "\"efficiencies\" write \"table\" or \"auto\"",
+                                node.text()),
+                    {light["efficiencies"]});
+    }
+    if (!light.has("wavelengths")) return;
+    const Node wavelengths = light["wavelengths"];
+    grating.wavelengths = wavelengths.count();
+    if (!sumsOverWavelengths(grating.evaluator)) {
+        wavelengths.refuse(
+            fmt::format("\"wavelengths\" is for the evaluators \"direct\", \"small-angle\" and \"naive\", "
+                        "but this one is \"{}\"; leave it out, or choose one of them",
+                        node.text()),
+            {node});
+    }
+}
+
 }  // namespace
 
 Slits slitsOf(const Node& node) {
@@ -203,18 +254,8 @@ Grating gratingOf(const Node& light) {
     grating.beam = beamOf(light, grating.normal);
     requireInBeam(light, grating);
     if (light.has("efficiency")) grating.efficiency = light["efficiency"].number();
-    if (!light.has("efficiencies")) return grating;
-    const Node efficiencies = light["efficiencies"];
-    grating.efficiencies = efficienciesOf(efficiencies);
-    if (grating.efficiency) {
-        light["efficiency"].refuse(
-            "\"efficiency\" stands beside \"efficiencies\", which say the same in detail; keep one of them",
-            {efficiencies});
-    }
-    if (!std::holds_alternative<Slits>(grating.aperture)) {
-        efficiencies.refuse("only slits have orders of their own; write \"efficiency\" for other apertures",
-                            {light["aperture"]});
-    }
+    if (light.has("efficiencies")) takeEfficiencies(light, grating);
+    takeEvaluator(light, grating);
     return grating;
 }
 

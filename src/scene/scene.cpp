@@ -9,6 +9,7 @@ bool hasPrintedFaults(const Scene& scene) {
         return std::visit(
             [](const auto& model) {
                 if constexpr (requires { model.faults; }) return model.faults == Faults::asPrinted;
+                else if constexpr (requires { model.evaluator; }) return model.evaluator == Evaluator::naive;
                 else return false;
             },
             element.model);

@@ -34,6 +34,7 @@ struct Image {
     double exposure = 0.0;       // stops; at 0 a value of 1 is display white
     bool autoExposure = false;   // `exposure` is then added to the one found from the picture
     ColorSpace colorSpace = ColorSpace::srgb;
+    double tolerance = 1e-3;  // error of each light that is accepted, as a share of its brightest place
 };
 
 struct ThinLens {
@@ -239,6 +240,10 @@ struct Beam {
     std::optional<units::Length> focus;  // from the grating to where a lens brings the beam together
 };
 
+// The way to the colour of slits in a continuous spectrum (docs/theory.md, "Evaluators"). The small-angle
+// approximation and the formula as printed are for comparison, and hold for single lines as well.
+enum class Evaluator { automatic, table, direct, smallAngle, naive, orders };
+
 // A diffraction grating or another aperture in a beam, as a light: scalar theory, docs/theory.md. The light
 // leaves on the side that the normal points to.
 struct Grating {
@@ -251,6 +256,8 @@ struct Grating {
     std::optional<double>
         efficiency;  // share of the beam that leaves; else the open share of the beam's area
     std::vector<OrderEfficiency> efficiencies;  // of slits; empty: those of an amplitude grating
+    Evaluator evaluator = Evaluator::automatic;
+    std::optional<std::uint32_t> wavelengths = std::nullopt;  // that sums go over; else as the tolerance asks
 };
 
 struct Light {
@@ -270,7 +277,8 @@ struct Scene {
     std::vector<Light> lights;
 };
 
-// Whether anything asks for its 0/0 as printed, so that pixels may be not a number.
+// Whether anything asks for its 0/0 as printed, or for the formula as it is printed, so that pixels may be
+// not a number.
 bool hasPrintedFaults(const Scene& scene);
 
 }  // namespace fringe::scene

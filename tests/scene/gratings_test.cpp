@@ -212,5 +212,36 @@ TEST(SceneGratings, AllProblemsOfOneGratingComeTogether) {
     EXPECT_EQ(std::count(sound.begin(), sound.end(), '\n'), 4) << sound;  // ring, beam twice, orders twice
 }
 
+// ---- evaluators ----------------------------------------------------------------------------------
+
+TEST(SceneGratings, AnEvaluatorIsChosenUnlessTheSceneNamesOne) {
+    EXPECT_EQ(gratingOf(R"("diameter": "2 mm")").evaluator, Evaluator::automatic);
+    EXPECT_FALSE(gratingOf(R"("diameter": "2 mm")").wavelengths);
+    const Grating grating =
+        gratingOf(R"("diameter": "2 mm")", kSlits, R"("evaluator": "direct", "wavelengths": 81)");
+    EXPECT_EQ(grating.evaluator, Evaluator::direct);
+    EXPECT_EQ(grating.wavelengths, 81U);
+}
+
+TEST(SceneGratings, EvaluatorsAreForSlits) {
+    EXPECT_EQ(problemsOfGrating(R"("diameter": "2 mm")", kCircle, R"("evaluator": "table")"),
+              R"(s:11:14: "table" is a way to the colour of slits; other apertures are always a sum over )"
+              R"(wavelengths, so leave it out)");
+}
+
+TEST(SceneGratings, GivenOrdersNeedATable) {
+    EXPECT_EQ(problemsOfGrating(R"("diameter": "2 mm")", kSlits,
+                                R"("evaluator": "orders", "efficiencies": {"0": 0.5})"),
+              R"(s:11:14: "orders" knows the orders of slits in an opaque screen alone; with "efficiencies" )"
+              R"(write "table" or "auto")");
+}
+
+TEST(SceneGratings, WavelengthsAreForSums) {
+    EXPECT_EQ(
+        problemsOfGrating(R"("diameter": "2 mm")", kSlits, R"("evaluator": "table", "wavelengths": 81)"),
+        R"(s:11:38: "wavelengths" is for the evaluators "direct", "small-angle" and "naive", but this one )"
+        R"(is "table"; leave it out, or choose one of them)");
+}
+
 }  // namespace
 }  // namespace fringe::scene

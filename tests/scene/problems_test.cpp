@@ -45,7 +45,7 @@ TEST(SceneProblems, UnknownKeyUnlikeAnyListsThemAll) {
     EXPECT_EQ(
         problemsOf(R"({"fringe": 1, "camera": {"position": [0, 0, 3], "target": [0, 0, 0]},
   /* not a "key": */ "image": { "resolution": /* nor : this */ 600 }})"),
-        R"(s:2:33: unknown key "resolution"; an image may have "width", "height", "samples", "seed", "max_depth", "exposure" or "color_space")");
+        R"(s:2:33: unknown key "resolution"; an image may have "width", "height", "samples", "seed", "max_depth", "exposure", "color_space" or "tolerance")");
 }
 
 TEST(SceneProblems, MissingKeysAreNamed) {

@@ -1,0 +1,198 @@
+#include "compile/evaluators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
+
+#include "compile/wave_tables.hpp"
+
+namespace fringe::compile {
+namespace {
+
+using units::um;
+
+constexpr double kMostTableBytes = 64.0 * 1024.0 * 1024.0;
+constexpr device::uint kFewestWaves = 3, kMostWaves = 401;
+
+// What the slits and the direction of the beam say about all ways.
+struct Slits {
+    double count;
+    double period_um;
+    double extent_um;  // from the first slit's outer edge to the last one's
+    bool isWide;
+    double conical;   // sine of the angle between the beam and the slits
+    double largestU;  // change of the direction cosine
+    double rows;      // of a table: one for each reflectance and band
+    bool hasGivenOrders;
+};
+
+Slits slitsOf(const scene::Grating& grating, const optics::Slits& slits, std::size_t reflectances) {
+    const double period_um = slits.count > 1 ? slits.period / um : slits.width / um;
+    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
+    const double alpha = glm::dot(grating.beam.direction, across);
+    const double beta = glm::dot(grating.beam.direction, grating.slitDirection);
+    const double conical = std::sqrt(1.0 - beta * beta);
+    return {.count = 1.0 * slits.count,
+            .period_um = period_um,
+            .extent_um = (slits.count - 1.0) * period_um + slits.width / um,
+            .isWide = areWide(slits),
+            .conical = conical,
+            .largestU = conical + std::abs(alpha),
+            .rows = static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0),
+            .hasGivenOrders = !grating.efficiencies.empty()};
+}
+
+std::string mebibytes(double bytes) {
+    return fmt::format("{:.3g} MiB", bytes / (1024.0 * 1024.0));
+}
+
+// ---- tables --------------------------------------------------------------------------------------
+
+// Steps that keep a quarter of the tolerance; the rest is for what is not the table's: the beam's edges, the
+// undeviated light, colours between bands. 113 per micrometre of the whole extent, or 1400 per micrometre of
+// the period without the undeviated order, are for 2.5e-4 of the peak; the error goes as 1/steps^2.
+double wantedSteps(const Slits& slits, double tolerance) {
+    const double usual = slits.isWide ? 1400.0 * slits.period_um : 113.0 * slits.extent_um;
+    return std::max(64.0, usual * std::sqrt(1e-3 / tolerance));
+}
+
+double tableBytes(const Slits& slits, double steps) {
+    return (2.0 * slits.conical * steps + 3.0) * slits.rows * sizeof(device::ResponseEntry);
+}
+
+// As fine as the tolerance asks for, or as fits.
+EvaluatorChoice table(const Slits& slits, double tolerance) {
+    const double wanted = wantedSteps(slits, tolerance);
+    const double most = kMostTableBytes / tableBytes(slits, wanted) * wanted;
+    const double steps = std::min(wanted, most);
+    return {.evaluator = device::TABLE_EVALUATOR,
+            .stepsPerU = steps,
+            .error = 0.25 * tolerance * (wanted / steps) * (wanted / steps),
+            .cost = 1.0,
+            .bytes = static_cast<std::uint64_t>(tableBytes(slits, steps)),
+            .reason = "a look-up"};
+}
+
+// ---- orders --------------------------------------------------------------------------------------
+
+// What the side lobes of the orders carry from one to the next is 3/count of the peak at most
+// (docs/theory.md, "Evaluators").
+EvaluatorChoice orders(const Slits& slits) {
+    const double perPoint = 0.5 * slits.largestU * slits.period_um *
+                            (1.0 / double{device::FIRST_WAVE_um} - 1.0 / double{device::LAST_WAVE_um});
+    return {.evaluator = device::ORDERS_EVALUATOR,
+            .error = 3.0 / slits.count,
+            .cost = 1.0 + perPoint,
+            .bytes = static_cast<std::uint64_t>(kOrderEntries * slits.rows * sizeof(device::ResponseEntry)),
+            .reason = fmt::format("orders as lines, {:.2g} at a point", 1.0 + perPoint)};
+}
+
+// ---- sums over wavelengths -----------------------------------------------------------------------
+
+// Fringes that the whole extent has between one end of the visible range and the other, at the largest angle.
+double fringes(const Slits& slits) {
+    return std::max(slits.extent_um, slits.period_um) * slits.largestU *
+           (1.0 / double{device::FIRST_WAVE_um} - 1.0 / double{device::LAST_WAVE_um});
+}
+
+// A sum resolves fringes two steps wide and more; then it errs as the square of a step's share of a fringe,
+// and no less than it does for one narrow slit, whose pattern has the width of the colour-matching functions.
+double sumError(const Slits& slits, double waves) {
+    const double perWave = fringes(slits) / waves;
+    if (perWave > 0.5) return 1.0;
+    return 0.05 * perWave * perWave + 0.2 / (waves * waves);
+}
+
+device::uint wavesFor(const Slits& slits, double tolerance) {
+    device::uint waves = kFewestWaves;
+    while (waves < kMostWaves && sumError(slits, waves) > tolerance) ++waves;
+    return waves;
+}
+
+EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, device::uint evaluator,
+                    double tolerance) {
+    constexpr double kCostOfWave = 0.27;  // in look-ups (docs/benchmarks.md)
+    const device::uint waves = given ? *given : wavesFor(slits, tolerance);
+    return {.evaluator = evaluator,
+            .wavelengths = waves,
+            .error = sumError(slits, waves),
+            .cost = kCostOfWave * waves,
+            .bytes = static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * waves *
+                                                sizeof(device::ResponseEntry)),
+            .reason = fmt::format("a sum over {} wavelengths", waves)};
+}
+
+// ---- the choice ----------------------------------------------------------------------------------
+
+EvaluatorChoice cheapest(const Slits& slits, const scene::Grating& grating, double tolerance) {
+    const EvaluatorChoice tabulated = table(slits, tolerance);
+    const double wanted = tableBytes(slits, wantedSteps(slits, tolerance));
+    std::vector<EvaluatorChoice> candidates;
+    if (wanted <= kMostTableBytes) candidates.push_back(tabulated);
+    if (!slits.hasGivenOrders) {
+        for (const EvaluatorChoice& other :
+             {orders(slits), sum(slits, grating.wavelengths, device::DIRECT_EVALUATOR, tolerance)})
+            if (other.error <= tolerance) candidates.push_back(other);
+    }
+    const auto best = std::min_element(candidates.begin(), candidates.end(),
+                                       [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    const std::string tooLarge =
+        wanted > kMostTableBytes ? fmt::format("; a table for the tolerance would take {}", mebibytes(wanted))
+                                 : std::string();
+    if (best == candidates.end()) {
+        EvaluatorChoice choice = tabulated;
+        choice.reason += tooLarge + ", and no other way keeps it: this one has the steps that fit";
+        return choice;
+    }
+    EvaluatorChoice choice = *best;
+    choice.reason += tooLarge + ", the cheapest within the tolerance";
+    return choice;
+}
+
+}  // namespace
+
+bool areWide(const optics::Slits& slits) {
+    constexpr double kWide_um = 40.0;
+    return 1.0 * slits.count * (slits.count > 1 ? slits.period / um : slits.width / um) > kWide_um;
+}
+
+EvaluatorChoice chooseEvaluator(const scene::Grating& grating, const optics::Slits& given,
+                                std::size_t reflectances, double tolerance) {
+    const Slits slits = slitsOf(grating, given, reflectances);
+    EvaluatorChoice choice{};
+    switch (grating.evaluator) {
+        case scene::Evaluator::automatic:
+            return cheapest(slits, grating, tolerance);
+        case scene::Evaluator::table:
+            choice = table(slits, tolerance);
+            break;
+        case scene::Evaluator::orders:
+            choice = orders(slits);
+            break;
+        case scene::Evaluator::direct:
+            choice = sum(slits, grating.wavelengths, device::DIRECT_EVALUATOR, tolerance);
+            break;
+        case scene::Evaluator::smallAngle:
+            choice = sum(slits, grating.wavelengths, device::SMALL_ANGLE_EVALUATOR, tolerance);
+            choice.error = 1.0;  // wrong by any amount at large angles
+            break;
+        case scene::Evaluator::naive:
+            choice = sum(slits, grating.wavelengths, device::NAIVE_EVALUATOR, tolerance);
+            choice.error = 1.0;  // next to an order of many slits by more than the peak
+            break;
+    }
+    choice.reason += ", as the scene asks for";
+    return choice;
+}
+
+const char* nameOf(device::uint evaluator) {
+    static constexpr std::array kNames{"table", "orders", "direct", "small-angle", "naive"};
+    return kNames.at(evaluator);
+}
+
+}  // namespace fringe::compile

@@ -71,6 +71,7 @@ std::string optionsText(const RenderOptions& options, const scene::Image& image,
     text += pictureText(options.picture, image);
     if (options.reference) text += ", --reference";
     for (const std::string& given : options.source.overrides) text += ", --set " + given;
+    if (!options.source.tolerance.empty()) text += ", --tolerance " + options.source.tolerance;
     return text;
 }
 

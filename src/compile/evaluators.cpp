@@ -80,14 +80,16 @@ EvaluatorChoice table(const Slits& slits, double tolerance) {
 
 // ---- orders --------------------------------------------------------------------------------------
 
-// What the side lobes of the orders carry from one to the next is 3/count of the peak at most
-// (docs/theory.md, "Evaluators").
+// What the side lobes of the orders carry from one to the next is 3/count of the peak at most; between half
+// nanometres the spectrum is taken as straight (docs/theory.md, "Evaluators").
 EvaluatorChoice orders(const Slits& slits) {
+    constexpr double kCostOfOrder =
+        3.0;  // in look-ups: as many turns of a loop as the neighbour with most needs
     const double perPoint = 0.5 * slits.largestU * slits.period_um *
                             (1.0 / double{device::FIRST_WAVE_um} - 1.0 / double{device::LAST_WAVE_um});
     return {.evaluator = device::ORDERS_EVALUATOR,
-            .error = 3.0 / slits.count,
-            .cost = 1.0 + perPoint,
+            .error = 1e-4 + 3.0 / slits.count,
+            .cost = kCostOfOrder * (1.0 + perPoint),
             .bytes = static_cast<std::uint64_t>(kOrderEntries * slits.rows * sizeof(device::ResponseEntry)),
             .reason = fmt::format("orders as lines, {:.2g} at a point", 1.0 + perPoint)};
 }
@@ -116,7 +118,7 @@ device::uint wavesFor(const Slits& slits, double tolerance) {
 
 EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, device::uint evaluator,
                     double tolerance) {
-    constexpr double kCostOfWave = 0.27;  // in look-ups (docs/benchmarks.md)
+    constexpr double kCostOfWave = 0.35;  // in look-ups
     const device::uint waves = given ? *given : wavesFor(slits, tolerance);
     return {.evaluator = evaluator,
             .wavelengths = waves,

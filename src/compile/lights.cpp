@@ -136,7 +136,7 @@ struct LightCompiler {
             out.slitGratings.push_back(
                 compileSlits(l, *slits, light.spectrum, tables, tolerance, out.tables, out.responses));
         } else {
-            out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, out.tables));
+            out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, tolerance, out.tables));
         }
     }
 

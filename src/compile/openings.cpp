@@ -187,12 +187,14 @@ struct SpectrumPacker {
     }
 };
 
-// Sixteen wavelengths give a single opening to 2e-4 of its peak, thirty-two also where metals on the way have
-// their own say, and the orders of a lattice take their number in step with the cells in a row
-// (docs/theory.md, "Openings"). Beyond the most the device merges cells.
-std::size_t waveCount(double extentInCells, bool inBands) {
+// Sixteen wavelengths give a single opening to 2e-4 of its peak, a fifth of the usual tolerance; the error
+// goes as the inverse of their square. Thirty-two do so also where metals on the way have their own say, and
+// the orders of a lattice take their number in step with the cells in a row (docs/theory.md, "Openings").
+// Beyond the most the device merges cells.
+std::size_t waveCount(double extentInCells, bool inBands, double tolerance) {
+    const double fewest = std::max(8.0, std::round((inBands ? 32.0 : 16.0) * std::sqrt(1e-3 / tolerance)));
     constexpr double kMost = 256.0;
-    return static_cast<std::size_t>(std::clamp(std::ceil(1.5 * extentInCells), inBands ? 32.0 : 16.0, kMost));
+    return static_cast<std::size_t>(std::clamp(std::ceil(1.5 * extentInCells), fewest, kMost));
 }
 
 std::vector<double> evenWavenumbers(std::size_t count) {
@@ -260,7 +262,8 @@ std::vector<float> maskTable(const optics::MaskSpectrum& spectrum) {
 }
 
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
-                                      const SpectralTables& tables, std::vector<float>& values) {
+                                      const SpectralTables& tables, double tolerance,
+                                      std::vector<float>& values) {
     const scene::Beam& beam = grating.beam;
     const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
     const dvec2 incoming(glm::dot(beam.direction, across), glm::dot(beam.direction, grating.slitDirection));
@@ -328,7 +331,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     std::vector<Wave> waves;
     if (!spectrum.density.empty()) {
         const std::vector<double> wavenumbers =
-            evenWavenumbers(waveCount(wholeExtent / cellExtent, tables.bands() > 1));
+            evenWavenumbers(waveCount(wholeExtent / cellExtent, tables.bands() > 1, tolerance));
         packed.wavenumberStep = toFloat(wavenumbers[1] - wavenumbers[0]);
         waves = packer.continuum(spectrum.density, wavenumbers);
     }

@@ -19,6 +19,7 @@ std::vector<float> maskTable(const optics::MaskSpectrum& spectrum);
 // by the relative pattern and by geometry alone; a polygon's vertices; a mask's spectrum. `tables` must know
 // all reflectances. Precondition: the aperture is no slits.
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
-                                      const SpectralTables& tables, std::vector<float>& values);
+                                      const SpectralTables& tables, double tolerance,
+                                      std::vector<float>& values);
 
 }  // namespace fringe::compile

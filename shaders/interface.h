@@ -206,12 +206,13 @@ const uint FLAT_BEAM = 0u;      // a disc
 const uint GAUSSIAN_BEAM = 1u;
 const uint RECTANGULAR_BEAM = 2u;
 
-// How the colour of slits is computed where their spectrum is continuous (evaluators.glsl), and single lines by the last two.
+// How the colour of slits is computed where their spectrum is continuous (evaluators.glsl), and single lines by the last three.
 const uint TABLE_EVALUATOR = 0u;
 const uint ORDERS_EVALUATOR = 1u;
-const uint DIRECT_EVALUATOR = 2u;        // this and those that follow: a sum over wavelengths
+const uint DIRECT_EVALUATOR = 2u;        // this and the next two: a sum over wavelengths
 const uint SMALL_ANGLE_EVALUATOR = 3u;
 const uint NAIVE_EVALUATOR = 4u;
+const uint PAIRS_EVALUATOR = 5u;         // lines as well (pairs.glsl)
 
 // Slits in a beam, physically (docs/theory.md). Lengths in the plane of the slits; the aperture's frame is across, along,
 // normal, and the light leaves with direction cosines alpha, beta, gamma along these.

@@ -32,6 +32,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "lights.glsl"
 #include "beam.glsl"
 #include "evaluators.glsl"
+#include "pairs.glsl"
 #include "slits.glsl"
 #include "opening_lights.glsl"
 #include "chords.glsl"

@@ -170,6 +170,11 @@ vec3 waveColor(uint record, Throughput throughput, float wavelength_um) {
     return throughputAt(throughput, wavelength_um) * tableColor(record + 1u);
 }
 
+// Irradiance for a density of 1 per u, from slits that are all seen under the same sine.
+float fromRow(SlitGrating g, GratingView v, float facing) {
+    return g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) * facing;
+}
+
 vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput,
                    float blur, float facing) {
     float u = v.conical * v.x / v.rho - g.alphaIn;
@@ -185,8 +190,13 @@ vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint 
                 value += orderIrradiance(g, v, offset, normal, order, orderShare(g, i, order), wavelength_um, 0.0);
             }
         } else {
-            value = lineDensity(g, u, blur, wavelength_um) * g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) *
-                    footprintAlong(g, v, wavelength_um * 1e-6, 0.0) * facing;
+            if (HAS_PAIRS_EVALUATOR != 0u && decided(g.evaluator) == PAIRS_EVALUATOR) {
+                float slit = g.width_um / wavelength_um;
+                value = slit * g.count * pairPattern(g, u, curvatureAcross(g, v), g.period_um / wavelength_um, slit, 0.0, blur);
+            } else {
+                value = lineDensity(g, u, blur, wavelength_um);
+            }
+            value *= fromRow(g, v, facing) * footprintAlong(g, v, wavelength_um * 1e-6, 0.0);
         }
         sum += value * waveColor(record, throughput, wavelength_um);
     }
@@ -233,7 +243,12 @@ vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float 
                            changeOnSurface(g.along - (g.betaIn * v.rho / (v.conical * v.z)) * g.normal, normal, slant)) +
               g.angularSize * v.range;
     vec3 sum = vec3(0.0);
-    if (HAS_SLIT_CONTINUUM != 0u && g.entries > 0u && facing > 0.0) {
+    bool byPairs = HAS_PAIRS_EVALUATOR != 0u && decided(g.evaluator) == PAIRS_EVALUATOR;
+    if (byPairs && g.entries > 0u && facing > 0.0) {
+        float u = v.conical * v.x / v.rho - g.alphaIn;
+        sum += fromRow(g, v, facing) * pairColor(g, v, reflectance, throughput, u, blur);
+    }
+    if (HAS_SLIT_CONTINUUM != 0u && !byPairs && g.entries > 0u && facing > 0.0) {
         sum += continuum(g, v, reflectance, throughput, blur, facing);
         if (HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u) {
             sum += undeviated(g, v, offset, normal, reflectance, throughput);

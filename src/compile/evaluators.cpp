@@ -129,6 +129,36 @@ EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, devi
             .reason = fmt::format("a sum over {} wavelengths", waves)};
 }
 
+// ---- pairs of slits ------------------------------------------------------------------------------
+
+// Whether these are a few coarse slits, evenly lit, near whose far field the room ends: with more or finer
+// ones, or from further away, orders as images of the beam err by less than a fifth of
+// count period^2 / (wavelength distance), 1e-3 for half a micrometre at 1 m (docs/theory.md, "Few coarse
+// slits").
+bool areCoarse(const scene::Grating& grating, const optics::Slits& slits) {
+    constexpr std::uint32_t kMostSlits = 32;
+    constexpr double kCoarse_m2 = 2.5e-9;
+    constexpr double kEven = 0.03;  // of the beam: the light then varies by 2e-3 across the slits
+    if (slits.count < 2 || slits.count > kMostSlits || !areWide(slits) || !grating.efficiencies.empty())
+        return false;
+    const double period = slits.period.si, extent = slits.count * period;
+    const bool isRectangle = grating.beam.profile == scene::BeamProfile::rectangle;
+    return slits.count * period * period > kCoarse_m2 &&
+           extent < (isRectangle ? 1.0 : kEven) * grating.beam.width.si;
+}
+
+EvaluatorChoice pairs(const Slits& slits) {
+    constexpr device::uint kWaves = 101;
+    constexpr double kCostOfHarmonic = 0.3;  // in look-ups
+    return {.evaluator = device::PAIRS_EVALUATOR,
+            .wavelengths = kWaves,
+            .error = 1e-3,
+            .cost = kCostOfHarmonic * kWaves * slits.count,
+            .bytes = static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * kWaves *
+                                                sizeof(device::ResponseEntry)),
+            .reason = "coarse slits, pair by pair: a room is within their near field"};
+}
+
 // ---- the choice ----------------------------------------------------------------------------------
 
 EvaluatorChoice cheapest(const Slits& slits, const scene::Grating& grating, double tolerance) {
@@ -169,7 +199,7 @@ EvaluatorChoice chooseEvaluator(const scene::Grating& grating, const optics::Sli
     EvaluatorChoice choice{};
     switch (grating.evaluator) {
         case scene::Evaluator::automatic:
-            return cheapest(slits, grating, tolerance);
+            return areCoarse(grating, given) ? pairs(slits) : cheapest(slits, grating, tolerance);
         case scene::Evaluator::table:
             choice = table(slits, tolerance);
             break;
@@ -193,7 +223,7 @@ EvaluatorChoice chooseEvaluator(const scene::Grating& grating, const optics::Sli
 }
 
 const char* nameOf(device::uint evaluator) {
-    static constexpr std::array kNames{"table", "orders", "direct", "small-angle", "naive"};
+    static constexpr std::array kNames{"table", "orders", "direct", "small-angle", "naive", "pairs"};
     return kNames.at(evaluator);
 }
 

@@ -129,7 +129,8 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     const Length extent = 1.0 * slits.count * slits.period;
     const EvaluatorChoice choice = chooseEvaluator(grating, slits, tables.reflectances().size(), tolerance);
     const bool byOrders = choice.evaluator == device::ORDERS_EVALUATOR;
-    const bool isWide = areWide(slits);
+    const bool byPairs = choice.evaluator == device::PAIRS_EVALUATOR;
+    const bool isWide = areWide(slits) && !byPairs;
     const bool followsUndeviated = isWide || byOrders;
 
     // Power per area that leaves, averaged over a period; where orders take their shares of it, that arrives.

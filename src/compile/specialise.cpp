@@ -83,7 +83,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .MATERIAL_COUNT = count(compiled.materials),
         .SLIT_GRATING_COUNT = count(compiled.slitGratings),
         .HAS_SLIT_LINES = anySlits([](const device::SlitGrating& g) { return g.lineCount > 0; }),
-        .HAS_SLIT_CONTINUUM = anySlits([](const device::SlitGrating& g) { return g.entries > 0; }),
+        .HAS_SLIT_CONTINUUM = anyEvaluator(device::TABLE_EVALUATOR, device::NAIVE_EVALUATOR),
         .HAS_WIDE_GRATINGS =
             anySlits([](const device::SlitGrating& g) { return g.isWide + g.linesAreImages != 0; }),
         .HAS_GAUSSIAN_BEAMS =
@@ -120,6 +120,8 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
             [](const device::SlitGrating& g) { return g.evaluator == device::SMALL_ANGLE_EVALUATOR; }),
         .HAS_NAIVE_EVALUATOR =
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::NAIVE_EVALUATOR; }),
+        .HAS_PAIRS_EVALUATOR =
+            anySlits([](const device::SlitGrating& g) { return g.evaluator == device::PAIRS_EVALUATOR; }),
     };
 }
 

@@ -37,6 +37,7 @@ FEATURES = {
     "evaluation by orders": (["HAS_ORDERS_EVALUATOR"], []),
     "small-angle approximation": (["HAS_SMALL_ANGLE_EVALUATOR"], []),
     "sums as printed": (["HAS_NAIVE_EVALUATOR"], []),
+    "coarse slits": (["HAS_PAIRS_EVALUATOR"], []),
     "depth of field": (["HAS_LENS"], []),
     "0/0 as printed": (["HAS_PRINTED_FAULTS"], []),
     "tree of shapes": (["TREE_DEPTH"], []),

@@ -24,9 +24,18 @@ layout(scalar, set = 0, binding = 13) readonly buffer SlitGratingBlock { SlitGra
 layout(scalar, set = 0, binding = 14) readonly buffer TableBlock { float tables[]; };
 layout(scalar, set = 0, binding = 15) readonly buffer OpeningGratingBlock { OpeningGrating openingGratings[]; };
 layout(scalar, set = 0, binding = 16) readonly buffer OpticalDiscBlock { OpticalDisc opticalDiscs[]; };
-// Entries of response tables. An image and no buffer: drivers for processors fetch four numbers at once from it, and it may
-// be larger than what a buffer binds.
-layout(set = 0, binding = 17) uniform utexture2D responses;
+// Entries of response tables, as texels: drivers for processors fetch the four words of a texel at once, but those of a storage
+// buffer one by one, lane by lane. Where the device's texel buffers are too small, texels lie in images, from which lavapipe
+// fetches 1.66 times as slowly.
+layout(set = 0, binding = 17) uniform utextureBuffer responses;
+layout(set = 0, binding = 18) uniform utexture2D responseImage;
+
+ivec2 placeInImage(uint texel) { return ivec2(texel % TEXEL_ROW, texel / TEXEL_ROW); }
+
+uvec4 responseEntry(uint at) {
+    if (TEXELS_IN_IMAGES != 0u) return texelFetch(responseImage, placeInImage(at), 0);
+    return texelFetch(responses, int(at));
+}
 
 // TypeAt(i): element i of a kind, from where it lies. Among few it is selected, not addressed: i mostly differs from
 // invocation to invocation, and an address that does is loaded lane by lane on a CPU.

@@ -9,8 +9,6 @@ struct ResponseIntegral {
     vec3 rest;
 };
 
-uvec4 responseEntry(uint at) { return texelFetch(responses, ivec2(at % RESPONSE_ROW, at / RESPONSE_ROW), 0); }
-
 // At `offset` entries from the one that is `base` away from the first. Exact for a response that is linear between its
 // entries. `slopeUnit` in units of the integral.
 ResponseIntegral responseIntegral(uint table, uint entries, float slopeUnit, int base, float offset) {

@@ -259,7 +259,7 @@ struct ResponseEntry {
     uvec3 integral;      // in units of the grating's, steps of the table
     uint slopes;         // three signed numbers of nine bits, to be shifted by the uppermost five
 };
-const uint RESPONSE_ROW = 4096u;     // entries lie in an image of so many a row
+const uint TEXEL_ROW = 4096u;        // where texels lie in an image, it has so many a row
 
 const uint RECTANGULAR_OPENING = 1u;
 const uint CIRCULAR_OPENING = 2u;

@@ -1,7 +1,8 @@
 // Pipeline constants, declared once for both languages: X(id, NAME). All follow from the scene's structure
 // (src/compile/specialise.cpp), none from a value that a slider changes. A ..._COUNT is the number of such things, or
 // FEW + 1 if there are more than FEW; likewise ..._CASTERS, those that can throw a shadow. A HAS_... or IS_... is 0 or 1.
-// TREE_DEPTH is the longest way from the root of the tree of shapes to a leaf, 0 where there is no tree.
+// TREE_DEPTH is the longest way from the root of the tree of shapes to a leaf, 0 where there is no tree. TEXELS_IN_IMAGES
+// follows from the device (src/render/scene_buffer.cpp).
 #define FRINGE_SPECIALISATION(X) \
     X(0, PLANE_COUNT)               \
     X(1, RECTANGLE_COUNT)           \
@@ -68,4 +69,5 @@
     X(62, HAS_DIRECT_EVALUATOR)     \
     X(63, HAS_SMALL_ANGLE_EVALUATOR) \
     X(64, HAS_NAIVE_EVALUATOR)      \
-    X(65, HAS_PAIRS_EVALUATOR)
+    X(65, HAS_PAIRS_EVALUATOR)      \
+    X(66, TEXELS_IN_IMAGES)

@@ -2,8 +2,13 @@
 // of equal ones the same shape, as the loop over all of them finds.
 
 #if TREE
-// In texels, because lavapipe fetches four words of a texel at once, and those of a storage buffer one by one, lane by lane.
-layout(set = 0, binding = 18) uniform usamplerBuffer treeTexels;
+layout(set = 0, binding = 19) uniform utextureBuffer treeTexels;
+layout(set = 0, binding = 20) uniform utexture2D treeImage;
+
+uvec4 treeTexel(uint at) {
+    if (TEXELS_IN_IMAGES != 0u) return texelFetch(treeImage, placeInImage(at), 0);
+    return texelFetch(treeTexels, int(at));
+}
 
 const uint TREE_END = 0xffffffffu;
 
@@ -37,11 +42,10 @@ void hitTree(vec3 o, vec3 d, bool any, inout Hit hit) {
     uint at = 0u;
     for (;;) {
         while (at < TREE_LEAF) {
-            int texel = int(4u * at);
-            uvec4 lowLeft = texelFetch(treeTexels, texel);
-            uvec4 highLeft = texelFetch(treeTexels, texel + 1);
-            uvec4 lowRight = texelFetch(treeTexels, texel + 2);
-            uvec4 highRight = texelFetch(treeTexels, texel + 3);
+            uvec4 lowLeft = treeTexel(4u * at);
+            uvec4 highLeft = treeTexel(4u * at + 1u);
+            uvec4 lowRight = treeTexel(4u * at + 2u);
+            uvec4 highRight = treeTexel(4u * at + 3u);
             float left = enterBox(uintBitsToFloat(lowLeft.xyz), uintBitsToFloat(highLeft.xyz), o, inverse, hit.t);
             float right = enterBox(uintBitsToFloat(lowRight.xyz), uintBitsToFloat(highRight.xyz), o, inverse, hit.t);
             bool rightFirst = right < left;

@@ -130,7 +130,7 @@ void Kernel::bind(std::span<const Binding> bindings) {
             const Binding& binding = bindings[i];
             buffers.emplace_back(binding.buffer, binding.offset, binding.size);
             images.emplace_back(nullptr, binding.image, vk::ImageLayout::eShaderReadOnlyOptimal);
-            if (binding.type == vk::DescriptorType::eUniformTexelBuffer)
+            if (binding.type == vk::DescriptorType::eUniformTexelBuffer && isBound(binding))
                 views[i] = *texels_.emplace_back(createView(device_, binding));
         }
         std::vector<vk::WriteDescriptorSet> writes;

@@ -1,24 +1,40 @@
-// Many records of four 32-bit unsigned integers that shaders read by their number, as an image. Drivers for
-// processors fetch all four numbers of an image's texel at once, those of a buffer one by one.
+// Many records of four 32-bit unsigned integers that shaders read by their number, as texels of a buffer or
+// of an image. Drivers for processors fetch all four numbers of a texel at once, those of a storage buffer
+// one by one.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <string>
 
-#include "gpu/device.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/kernel.hpp"
 
 namespace fringe::gpu {
 
+enum class TexelHome {
+    buffer,  // record i is texel i
+    image,   // record i is texel (i % row, i / row)
+};
+
+// Whether the device reads so many bytes of records from a buffer.
+bool fitTexelBuffer(const Device& device, std::size_t bytes);
+
 class Texels {
 public:
-    // Record i becomes texel (i % row, i / row); `records` holds whole ones, of 16 bytes; none at all become
-    // one texel of any value. `row` is at most 4096, which every device has. Throws DeviceError when memory
-    // is short or the device has no image so large.
-    Texels(const Device& device, std::span<const std::byte> records, std::uint32_t row);
+    // `records` holds whole ones, of 16 bytes; none at all become one texel of any value. `row` is at most
+    // 4096, which every device has; `what` names the records in errors. Precondition: they fit their home, if
+    // that is a buffer. Throws DeviceError when memory is short or the device has no image so large.
+    Texels(const Device& device, const std::string& what, std::span<const std::byte> records, TexelHome home,
+           std::uint32_t row);
 
-    vk::ImageView view() const { return *view_; }
+    // The records are in one of the two, and the other is one texel of any value: a shader that can read
+    // either is bound to both.
+    Binding buffer() const;
+    Binding image() const;
 
 private:
+    Buffer buffer_;
     vk::raii::Image image_;
     vk::raii::DeviceMemory memory_;  // of image_
     vk::raii::ImageView view_;

@@ -8,8 +8,8 @@
 #define BANDS 1u
 #include "bindings.glsl"
 layout(local_size_x = 64) in;
-layout(scalar, set = 0, binding = 18) readonly buffer InputBlock { vec2 inputs[]; };       // u, width of the window
-layout(scalar, set = 0, binding = 19) writeonly buffer ResultBlock { vec4 results[]; };    // X, Y, Z, and 1 where it was 0/0
+layout(scalar, set = 0, binding = 19) readonly buffer InputBlock { vec2 inputs[]; };       // u, width of the window
+layout(scalar, set = 0, binding = 20) writeonly buffer ResultBlock { vec4 results[]; };    // X, Y, Z, and 1 where it was 0/0
 #include "phase.glsl"
 #include "spectral.glsl"
 #include "evaluators.glsl"

@@ -109,13 +109,24 @@ Prepared prepare(const EvaluatorCase& which, const Setting& setting, double tole
     return made;
 }
 
+std::span<const std::byte> bytesOf(const std::vector<device::ResponseEntry>& entries) {
+    return std::as_bytes(std::span(entries));
+}
+
+// As `fringe render` has it.
+gpu::TexelHome homeOf(const gpu::Device& device, const std::vector<device::ResponseEntry>& entries) {
+    return gpu::fitTexelBuffer(device, bytesOf(entries).size()) ? gpu::TexelHome::buffer
+                                                                : gpu::TexelHome::image;
+}
+
 class OnDevice {
 public:
     OnDevice(const gpu::Device& device, const Prepared& prepared, std::span<const Window> windows)
         : device_(device),
           tables_(device, std::max<std::size_t>(prepared.scene.tables.size() * sizeof(float), 16),
                   gpu::Access::hostWrites),
-          responses_(device, std::as_bytes(std::span(prepared.scene.responses)), device::RESPONSE_ROW),
+          responses_(device, "response tables", bytesOf(prepared.scene.responses),
+                     homeOf(device, prepared.scene.responses), device::TEXEL_ROW),
           inputs_(device, windows.size_bytes(), gpu::Access::hostWrites),
           results_(device, windows.size() * sizeof(Result), gpu::Access::hostReads),
           kernel_(makeKernel(prepared)) {
@@ -143,17 +154,20 @@ private:
         const std::vector<std::uint32_t> shader =
             gpu::withConstantBlock(bench_evaluators_comp, std::as_bytes(std::span(&block, 1)));
         const scene::Camera camera{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, scene::Orthographic{1.0}, {}};
-        const device::Specialisation specialisation = compile::specialise(prepared.scene, camera);
+        device::Specialisation specialisation = compile::specialise(prepared.scene, camera);
+        if (homeOf(device_, prepared.scene.responses) == gpu::TexelHome::image)
+            specialisation.TEXELS_IN_IMAGES = 1;
         std::array<std::uint32_t, device::kSpecialisationCount> constants{};
         std::memcpy(constants.data(), &specialisation, sizeof specialisation);
 
         // Numbers of bindings.glsl and of bench_evaluators.comp.
-        constexpr std::size_t kResponses = 17, kInputs = 18, kResults = 19;
+        constexpr std::size_t kResponses = 17, kResponseImage = 18, kInputs = 19, kResults = 20;
         const auto storage = vk::DescriptorType::eStorageBuffer;
         // Arrays that are never read are some buffer.
         std::vector<gpu::Binding> bindings(kResults + 1,
                                            gpu::Binding{storage, tables_.handle(), 0, tables_.size()});
-        bindings[kResponses] = {vk::DescriptorType::eSampledImage, {}, 0, 0, responses_.view()};
+        bindings[kResponses] = responses_.buffer();
+        bindings[kResponseImage] = responses_.image();
         bindings[kInputs] = {storage, inputs_.handle(), 0, inputs_.size()};
         bindings[kResults] = {storage, results_.handle(), 0, results_.size()};
         return {device_, shader, bindings, constants};

@@ -35,16 +35,17 @@ std::uint64_t Progressive::mostPixels() const {
 
 void Progressive::show(const compile::CompiledScene& scene, device::Specialisation constants) {
     constants.HAS_RIPPLES = scene.slitGratings.empty() ? 0 : 1;  // the camera may come close to them
+    constants = specialiseFor(device_, scene, constants);
     frame_ = scene.frame;
     const SceneLayout layout = layOut(scene, device_);
     if (!scene_ || scene_->size() < layout.size)
         scene_.emplace(device_, layout.size, gpu::Access::hostWrites);
     upload(layout, *scene_);
-    responses_ = uploadResponses(scene, device_);
+    texels_ = uploadTexels(device_, scene, constants);
     const std::uint64_t pixels = std::uint64_t{frame_.filmWidth} * wholeGroups(frame_.height);
     if (!film_ || film_->pixels() < pixels) film_.emplace(device_, pixels);
     pipelineFor(variantFor(scene), constants, layout)
-        .kernel.bind(bindings(layout, *scene_, film_->buffer(), responses_));
+        .kernel.bind(bindings(layout, *scene_, film_->buffer(), texels_));
     restart();
 }
 
@@ -62,8 +63,8 @@ Progressive::Pipeline& Progressive::pipelineFor(const Variant& variant,
     const Stopwatch watch(compile_ms_);
     std::array<std::uint32_t, device::kSpecialisationCount> values{};
     std::memcpy(values.data(), &constants, sizeof constants);
-    gpu::Kernel kernel(device_, embeddedShader(variant),
-                       bindings(layout, *scene_, film_->buffer(), responses_), values);
+    gpu::Kernel kernel(device_, embeddedShader(variant), bindings(layout, *scene_, film_->buffer(), texels_),
+                       values);
     // Drivers may put off compiling until the first dispatch: one workgroup, which restart() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel.run({&corner, 1}, {1, 1, 1});

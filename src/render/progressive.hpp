@@ -65,7 +65,7 @@ private:
     const gpu::Device& device_;
     device::Frame frame_{};
     std::optional<gpu::Buffer> scene_;
-    std::optional<gpu::Texels> responses_;
+    SceneTexels texels_;
     std::optional<Film> film_;
     std::vector<std::unique_ptr<Pipeline>> pipelines_;  // the one in use last
     std::uint32_t samples_ = 0;

@@ -98,7 +98,7 @@ private:
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
                    const device::Specialisation& specialisation, Values values)
-    : Renderer(device, scene, specialisation, values, layOut(scene, device)) {}
+    : Renderer(device, scene, specialiseFor(device, scene, specialisation), values, layOut(scene, device)) {}
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
                    const device::Specialisation& specialisation, Values values, const SceneLayout& layout)
@@ -111,7 +111,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
     {
         const Stopwatch watch(clocks_.upload);
         upload(layout, scene_);
-        responses_ = uploadResponses(scene, device);
+        texels_ = uploadTexels(device, scene, specialisation);
     }
     const Stopwatch watch(clocks_.compile);
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};
@@ -122,7 +122,7 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
         withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
         shader = withValues;
     }
-    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer(), responses_), constants);
+    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer(), texels_), constants);
     // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel_->run({&corner, 1}, {1, 1, 1});

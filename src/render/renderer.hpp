@@ -10,13 +10,11 @@
 
 #include "compile/compiled_scene.hpp"
 #include "gpu/kernel.hpp"
-#include "gpu/texels.hpp"
 #include "image/image.hpp"
 #include "render/film.hpp"
+#include "render/scene_buffer.hpp"
 
 namespace fringe::render {
-
-struct SceneLayout;
 
 // Rows firstRow.. of the picture, whole ones.
 struct Band {
@@ -71,7 +69,7 @@ private:
     Clocks clocks_;
     std::uint32_t bandRows_;
     gpu::Buffer scene_;
-    std::optional<gpu::Texels> responses_;
+    SceneTexels texels_;
     Film film_;
     std::optional<gpu::Kernel> kernel_;
 };

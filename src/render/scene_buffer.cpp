@@ -8,17 +8,12 @@
 namespace fringe::render {
 namespace {
 
-// Number of the responses' binding; the tree, which comes last, follows.
-constexpr std::ptrdiff_t kResponses = 17;
-
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(const gpu::Device& device)
-        : alignment_(std::max({device.limits().minStorageBufferOffsetAlignment,
-                               device.limits().minUniformBufferOffsetAlignment,
-                               device.limits().minTexelBufferOffsetAlignment})),
-          largest_(device.limits().maxStorageBufferRange),
-          mostTexels_(device.limits().maxTexelBufferElements) {}
+        : alignment_(std::max(device.limits().minStorageBufferOffsetAlignment,
+                              device.limits().minUniformBufferOffsetAlignment)),
+          largest_(device.limits().maxStorageBufferRange) {}
 
     void addBlock(const device::SceneBlock& block) {
         layout_.block = block;
@@ -43,19 +38,6 @@ public:
         add(vk::DescriptorType::eStorageBuffer, elements.data(), size);
     }
 
-    // Only shaders that read a tree have its binding.
-    void addTree(const std::vector<device::TreeNode>& nodes) {
-        if (nodes.empty()) return;
-        const vk::DeviceSize size = nodes.size() * sizeof(device::TreeNode);
-        const vk::DeviceSize texels = size / gpu::kTexelBytes;
-        if (texels > mostTexels_) {
-            throw gpu::DeviceError(fmt::format(
-                "a tree of {} shapes takes {} texels, but this device reads at most {} of a buffer",
-                nodes.size() + 1, texels, mostTexels_));
-        }
-        add(vk::DescriptorType::eUniformTexelBuffer, nodes.data(), size);
-    }
-
     SceneLayout take() { return std::move(layout_); }
 
 private:
@@ -68,8 +50,12 @@ private:
     SceneLayout layout_;
     vk::DeviceSize alignment_;
     vk::DeviceSize largest_;
-    vk::DeviceSize mostTexels_;
 };
+
+template <class Element>
+std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
+    return std::as_bytes(std::span(elements));
+}
 
 }  // namespace
 
@@ -91,7 +77,6 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
     builder.addAll("table entries", scene.tables);
     builder.addMany("gratings", scene.openingGratings);
     builder.addMany("optical discs", scene.opticalDiscs);
-    builder.addTree(scene.tree.nodes);
     return builder.take();
 }
 
@@ -102,13 +87,30 @@ void upload(const SceneLayout& layout, const gpu::Buffer& buffer) {
     }
 }
 
-std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device) {
-    if (scene.slitGratings.empty() && scene.openingGratings.empty() && !scene.inBands) return std::nullopt;
-    return gpu::Texels(device, std::as_bytes(std::span(scene.responses)), device::RESPONSE_ROW);
+device::Specialisation specialiseFor(const gpu::Device& device, const compile::CompiledScene& scene,
+                                     device::Specialisation constants) {
+    if (!gpu::fitTexelBuffer(device, bytesOf(scene.responses).size()) ||
+        !gpu::fitTexelBuffer(device, bytesOf(scene.tree.nodes).size())) {
+        constants.TEXELS_IN_IMAGES = 1;
+    }
+    return constants;
+}
+
+SceneTexels uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
+                         const device::Specialisation& constants) {
+    const gpu::TexelHome home =
+        constants.TEXELS_IN_IMAGES != 0 ? gpu::TexelHome::image : gpu::TexelHome::buffer;
+    SceneTexels texels;
+    if (!scene.slitGratings.empty() || !scene.openingGratings.empty() || scene.inBands)
+        texels.responses.emplace(device, "response tables", bytesOf(scene.responses), home,
+                                 device::TEXEL_ROW);
+    if (!scene.tree.nodes.empty())
+        texels.tree.emplace(device, "the tree of shapes", bytesOf(scene.tree.nodes), home, device::TEXEL_ROW);
+    return texels;
 }
 
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses) {
+                                   const gpu::Buffer& film, const SceneTexels& texels) {
     const SceneLayout::Range& block = layout.ranges.front();
     std::vector<gpu::Binding> result;
     for (const SceneLayout::Range& range : layout.ranges) {
@@ -116,9 +118,15 @@ std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer&
         result.push_back({range.type, scene.handle(), place.offset, place.size});
     }
     result.insert(result.begin() + 1, {vk::DescriptorType::eStorageBuffer, film.handle(), 0, film.size()});
-    result.insert(
-        result.begin() + kResponses,
-        {vk::DescriptorType::eSampledImage, {}, 0, 0, responses ? responses->view() : vk::ImageView()});
+    for (const std::optional<gpu::Texels>* some : {&texels.responses, &texels.tree}) {
+        if (*some) {
+            result.push_back((*some)->buffer());
+            result.push_back((*some)->image());
+        } else {
+            result.push_back({vk::DescriptorType::eUniformTexelBuffer, {}, 0, 0});
+            result.push_back({vk::DescriptorType::eSampledImage, {}, 0, 0});
+        }
+    }
     return result;
 }
 

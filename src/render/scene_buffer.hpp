@@ -29,13 +29,22 @@ SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& devic
 // Copies the arrays to their places.
 void upload(const SceneLayout& layout, const gpu::Buffer& buffer);
 
-// The response tables for shaders that know gratings, one texel where the scene has none of them; nothing for
-// other shaders.
-std::optional<gpu::Texels> uploadResponses(const compile::CompiledScene& scene, const gpu::Device& device);
+// A scene's constants for this device: texels are in images where its texel buffers are too small.
+device::Specialisation specialiseFor(const gpu::Device& device, const compile::CompiledScene& scene,
+                                     device::Specialisation constants);
 
-// Bindings of shaders/bindings.glsl. An array that is not there is bound to the frame's bytes, which the
-// specialised shader never reads as such: Vulkan wants every binding to be valid, and this costs no memory.
+// What shaders read as texels.
+struct SceneTexels {
+    std::optional<gpu::Texels> responses;  // for shaders that know gratings, though the scene may have none
+    std::optional<gpu::Texels> tree;       // for those that know one
+};
+SceneTexels uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
+                         const device::Specialisation& constants);
+
+// Bindings of shaders/bindings.glsl and shaders/tree.glsl. An array that is not there is bound to the frame's
+// bytes, which the specialised shader never reads as such: Vulkan wants every binding to be valid, and this
+// costs no memory.
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,
-                                   const gpu::Buffer& film, const std::optional<gpu::Texels>& responses);
+                                   const gpu::Buffer& film, const SceneTexels& texels);
 
 }  // namespace fringe::render

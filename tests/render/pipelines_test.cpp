@@ -55,6 +55,15 @@ TEST_P(Pipelines, ValuesInUniformsGiveTheSamePicture) {
                       1e-4);
 }
 
+// Response tables in an image, as on devices whose texel buffers are too small: the same words.
+TEST(TexelsOnDevice, InImagesGiveTheSamePictureBitForBit) {
+    const scene::Scene scene = smallScene("scenes/gratings/five-gratings.json");
+    const image::Image picture = renderOnDevice(scene);
+    EXPECT_TRUE(std::any_of(picture.pixels.begin(), picture.pixels.end(),
+                            [](const image::Pixel& pixel) { return pixel.y > 0.0F; }));
+    expectSamePicture(picture, renderOnDevice(scene, {.change = texelsInImages}), 0.0);
+}
+
 // Gratings; a printed disc; a lens, area light, sky, glass and mirrors; every shape and material.
 INSTANTIATE_TEST_SUITE_P(OnDevice, Pipelines,
                          ::testing::Values("scenes/thesis/figure-24.json", "scenes/thesis/figure-25.json",

@@ -51,6 +51,10 @@ image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline)
     return picture;
 }
 
+void texelsInImages(device::Specialisation& constants) {
+    constants.TEXELS_IN_IMAGES = 1;
+}
+
 image::Image renderReference(const scene::Scene& scene) {
     image::Image picture{scene.image.width, scene.image.height, {}};
     picture.pixels.resize(std::size_t{picture.width} * picture.height);

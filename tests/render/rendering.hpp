@@ -23,6 +23,9 @@ struct Pipeline {
 // Any message of the validation layer fails the test that runs.
 image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline = {});
 
+// A change of constants: texels in images, as on devices whose texel buffers are too small.
+void texelsInImages(device::Specialisation& constants);
+
 image::Image renderReference(const scene::Scene& scene);
 
 // The largest difference of a channel.

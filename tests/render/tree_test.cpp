@@ -162,6 +162,27 @@ TEST(TreeOnDevice, GivesThePictureOfTheLoopOverAllBitForBit) {
     EXPECT_EQ(pixelsBeyond(renderOnDevice(scene), renderOnDevice(scene, {.change = kLoop}), 0.0), 0U);
 }
 
+// As on devices whose texel buffers are too small.
+TEST(TreeOnDevice, GivesTheSamePictureFromAnImageBitForBit) {
+    const scene::Scene scene = crowd();
+    EXPECT_EQ(pixelsBeyond(renderOnDevice(scene), renderOnDevice(scene, {.change = texelsInImages}), 0.0),
+              0U);
+}
+
+// Its nodes are more texels than the 65,536 that Vulkan promises of a texel buffer, and SwiftShader has.
+TEST(TreeOnDevice, RendersMoreShapesThanSmallTexelBuffersHold) {
+    scene::Scene scene = sceneFile("tests/render/primitives.json");
+    scene.image.width = scene.image.height = 32;
+    scene.objects.erase(scene.objects.begin() + 1, scene.objects.end());  // leaves the floor
+    Random random;
+    for (int i = 0; i < 20'000; ++i) {
+        const dvec3 p = dvec3(0, 0.8, -0.5) + random.point(0.8) * dvec3(2, 1, 1);
+        scene.objects.push_back({{}, scene::Sphere{p, random.between(0.005, 0.02)}, 0});
+    }
+    const image::Image device = renderOnDevice(scene);
+    EXPECT_LT(pixelsBeyond(device, renderReference(scene), 2e-4), device.pixels.size() / 50);
+}
+
 // 1e-3 of the pixels at most differ, on silhouettes, and 2e-4 is what reference_test.cpp allows these shapes.
 TEST(TreeOnDevice, AgreesWithTheReference) {
     const scene::Scene scene = crowd();

@@ -27,12 +27,6 @@ Json::Value pointJson(glm::dvec3 p) {
     return json;
 }
 
-std::string wavelengthText(const profile::Reading& reading) {
-    const int decimals = decimalsOf(reading);
-    return fmt::format("{:.{}f} +- {:.{}f} nm", reading.wavelength_nm, decimals, reading.uncertainty_nm,
-                       decimals);
-}
-
 std::string blendText(const ProfileReport& report, std::size_t number, const profile::Reading& reading) {
     const profile::Blend& blend = *reading.blend;
     std::string text =

@@ -13,6 +13,7 @@
 #include "preview/document.hpp"
 #include "preview/engine.hpp"
 #include "preview/files.hpp"
+#include "preview/instrument_panel.hpp"
 #include "preview/navigation.hpp"
 #include "preview/panel.hpp"
 #include "preview/presenter.hpp"
@@ -32,10 +33,10 @@ constexpr int kFramesToSettle = 2;
 constexpr double kMoving_s = 0.02;               // likewise, to look whether it rests
 constexpr std::chrono::milliseconds kRest(150);  // without a change, and it counts as resting
 
-// The largest place for a picture of this shape, in the middle of what the panel leaves of the window; whole
+// The largest place for a picture of this shape, in the middle of what the panels leave of the window; whole
 // multiples are not asked for.
-Rectangle placeFor(const scene::Image& image, Extent window, int panel) {
-    const int width = std::max(window.width - panel, 1), height = std::max(window.height, 1);
+Rectangle placeFor(const scene::Image& image, Extent window, int panel, int right) {
+    const int width = std::max(window.width - panel - right, 1), height = std::max(window.height, 1);
     const double scale = std::min(1.0 * width / image.width, 1.0 * height / image.height);
     const int shownWidth = std::clamp(static_cast<int>(std::lround(scale * image.width)), 1, width);
     const int shownHeight = std::clamp(static_cast<int>(std::lround(scale * image.height)), 1, height);
@@ -85,12 +86,16 @@ private:
         const std::vector<KeyPress> keys = window.takeKeys();
         presenter.beginWidgets();
         widgets.begin();
-        const Rectangle place =
-            placeFor(scene_.image, window.pixels(), panelWidth(settings_, window.scale()));
+        const Rectangle place = placeFor(scene_.image, window.pixels(), panelWidth(settings_, window.scale()),
+                                         instrumentWidth(instrument_, window.scale()));
+        useInstrument(place);
         navigate(place, keys);
         const State state = engine_.state();
         const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond(), notice_};
         PanelActions actions = drawPanel(settings_, document_, facts, window.scale());
+        const bool isWritten = drawInstrument(instrument_, state, scene_, camera_.value_or(scene_.camera),
+                                              place, window.scale());
+        if (isWritten) writeMeasured();
         obey(window, keys, actions);
         if (actions.display || actions.scene) moved(Statistics::Cause::knob);
         if (actions.saveScene) saveScene();
@@ -128,11 +133,41 @@ private:
 
     void navigate(const Rectangle& place, std::span<const KeyPress> keys) {
         const scene::Camera camera = camera_.value_or(scene_.camera);
-        const auto next = navigated(camera, scene_.camera, place, keys);
+        const auto next = navigated(camera, scene_.camera, place, keys, !instrument_.isOn());
         if (!next) return;
         camera_ = *next;
         ++cameraNumber_;
         moved(Statistics::Cause::camera);
+    }
+
+    void useInstrument(const Rectangle& place) {
+        if (auto measured = engine_.takeMeasured()) instrument_.take(std::move(*measured));
+        instrument_.lookAtClosedForm();
+        if (instrument_.followMouse(scene_, camera_.value_or(scene_.camera), place))
+            engine_.measure(instrument_.probe());
+    }
+
+    // Beside the picture, which keeps its size where the desktop has room.
+    void toggleInstrument(Window& window) {
+        const int before = instrumentWidth(instrument_, window.scale());
+        instrument_.toggle();
+        const int added = instrumentWidth(instrument_, window.scale()) - before;
+        window.grow(added, added > 0 ? instrumentHeight(window.scale()) : 0);
+        engine_.measure(std::nullopt);
+    }
+
+    void writeMeasured() {
+        const auto exported = instrument_.exported();
+        if (!exported) {
+            notice_ = "nothing has been measured; I turns the instrument on";
+            return;
+        }
+        const auto& files = exported->files;
+        inBackground(
+            fmt::format("written: {}, {} and {}", files[0].string(), files[1].string(), files[2].string()),
+            [exported = *exported] {
+                for (const auto& file : exported.files) profile::writeReport(file, *exported.report);
+            });
     }
 
     // Runs `work` beside the window, and tells `done` or what went wrong.
@@ -187,6 +222,8 @@ private:
             if (press.control && (press.key == GLFW_KEY_Q || press.key == GLFW_KEY_W)) window.close();
             if (press.control && press.key == GLFW_KEY_S) actions.saveScene = true;
             if (ImGui::GetIO().WantTextInput || press.control) continue;
+            if (press.key == GLFW_KEY_I) toggleInstrument(window);
+            if (press.key == GLFW_KEY_X) writeMeasured();
             if (press.key == GLFW_KEY_P) actions.savePicture = true;
             if (press.key == GLFW_KEY_TAB) settings_.showsPanel = !settings_.showsPanel;
             if (press.key == GLFW_KEY_F1 || (press.shift && press.key == GLFW_KEY_SLASH))
@@ -234,6 +271,7 @@ private:
     Engine engine_;
     Document document_;
     FileWatch watch_;
+    Instrument instrument_;
     std::future<std::string> saving_;
     std::string notice_;
     scene::Scene scene_;  // on show

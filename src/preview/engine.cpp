@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "preview/measuring.hpp"
 #include "preview/rendering.hpp"
 
 namespace fringe::preview {
@@ -11,6 +12,9 @@ using Clock = std::chrono::steady_clock;
 
 // While nothing moves, new samples are shown this often: developing and drawing take time from rendering.
 constexpr std::chrono::milliseconds kResting(100);
+
+// While something moves, measurements that take longer to begin wait until it rests.
+constexpr double kLive_ms = 25.0;
 
 }  // namespace
 
@@ -42,6 +46,21 @@ std::optional<Picture> Engine::takePicture() {
     return std::exchange(picture_, std::nullopt);
 }
 
+void Engine::measure(const std::optional<Probe>& probe) {
+    {
+        const std::scoped_lock lock(mutex_);
+        probe_ = probe;
+        isNewProbe_ = probe.has_value();
+        measured_.reset();
+    }
+    changed_.notify_one();
+}
+
+std::optional<Measured> Engine::takeMeasured() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(measured_, std::nullopt);
+}
+
 State Engine::state() const {
     const std::scoped_lock lock(mutex_);
     return state_;
@@ -56,10 +75,11 @@ void Engine::report(Change change) {
     ++news_;
 }
 
-// The latest wish, once it is another than the one of that number; nothing at the end.
+// The latest wish, once it is another than the one of that number or there is something new to measure;
+// nothing at the end.
 std::optional<Wish> Engine::waitForWish(std::uint64_t known) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return isEnding_ || (wish_ && wish_->number != known); });
+    changed_.wait(lock, [&] { return isEnding_ || (wish_ && (wish_->number != known || isNewProbe_)); });
     return isEnding_ ? std::nullopt : wish_;
 }
 
@@ -89,6 +109,10 @@ void Engine::run() {
         } catch (const std::exception& error) {
             const std::scoped_lock lock(mutex_);
             known = wish_ ? wish_->number : 0;
+            // Pictures go on without the measurement, in case it is the cause.
+            isNewProbe_ = false;
+            if (probe_) measured_ = Measured{probe_->number, nullptr, nullptr, error.what()};
+            probe_.reset();
             state_.error = error.what();
             state_.activity.clear();
         }
@@ -98,15 +122,17 @@ void Engine::run() {
 
 void Engine::serve(const gpu::Device& device) {
     Rendering rendering(device);
+    Measuring measuring(device);
     std::uint64_t known = 0;
     while (const auto wish = waitForWish(known)) {
+        if (wish->number != known) fulfil(*wish, rendering, measuring);
         known = wish->number;
-        fulfil(*wish, rendering);
+        measureFor(*wish, rendering, measuring);
     }
 }
 
 // Until there is another wish, or nothing left to do for this one.
-void Engine::fulfil(const Wish& wish, Rendering& rendering) {
+void Engine::fulfil(const Wish& wish, Rendering& rendering, Measuring& measuring) {
     if (rendering.isNewScene(wish)) {
         report([](State& state) { state.activity = "compiling the scene"; });
         std::string error;
@@ -142,6 +168,44 @@ void Engine::fulfil(const Wish& wish, Rendering& rendering) {
         const bool isDue = !isShown || wasFull != rendering.isFull() || rendering.isComplete() ||
                            Clock::now() - last > kResting;
         if (isBetter && isDue) show();
+        if (isShown && rendering.isFull()) measureFor(wish, rendering, measuring);
+    }
+}
+
+// Works on what is to be measured, in the scene of this wish, until it is done or there is another wish.
+void Engine::measureFor(const Wish& wish, const Rendering& rendering, Measuring& measuring) {
+    std::optional<Probe> probe;
+    {
+        const std::scoped_lock lock(mutex_);
+        probe = probe_;
+        isNewProbe_ = false;
+    }
+    if (wish.isMoving && measuring.begin_ms() > kLive_ms) return;
+    if (!probe || !rendering.hasScene() || !measuring.isDue(*probe, rendering.scene())) return;
+    const auto answer = [&](Measured measured) {
+        report([&](State& state) { state.measuring.reset(); });
+        {
+            const std::scoped_lock lock(mutex_);
+            if (probe_ && probe_->number == measured.probe) measured_ = std::move(measured);
+        }
+        ++news_;
+    };
+    const auto isWanted = [&] {
+        const std::scoped_lock lock(mutex_);
+        return !isEnding_ && wish_->number == wish.number && probe_ && probe_->number == probe->number;
+    };
+    try {
+        report([](State& state) { state.measuring = 0.0; });
+        measuring.begin(*probe, rendering.scene(), rendering.samplesOfScene(), wish.source->file);
+        while (isWanted()) {
+            const double done = measuring.advance();
+            report([&](State& state) { state.measuring = done; });
+            if (done >= 1.0) return answer(measuring.take());
+        }
+        report([&](State& state) { state.measuring.reset(); });
+    } catch (const profile::LineError& error) {
+        measuring.giveUp();
+        answer({probe->number, rendering.scene(), nullptr, error.what()});
     }
 }
 

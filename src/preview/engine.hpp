@@ -10,10 +10,12 @@
 #include <thread>
 
 #include "gpu/device.hpp"
+#include "preview/probe.hpp"
 #include "preview/wish.hpp"
 
 namespace fringe::preview {
 
+class Measuring;
 class Rendering;
 
 class Engine {
@@ -29,6 +31,12 @@ public:
     // The picture made since the last call, if there is one.
     std::optional<Picture> takePicture();
 
+    // What is to be measured from now on, anew in every scene, in place of what was before; nothing: nothing.
+    void measure(const std::optional<Probe>& probe);
+
+    // What has been measured since the last call, if anything has.
+    std::optional<Measured> takeMeasured();
+
     State state() const;
 
     // Another number after every new picture or state.
@@ -43,7 +51,8 @@ public:
 private:
     void run();
     void serve(const gpu::Device& device);
-    void fulfil(const Wish& wish, Rendering& rendering);
+    void fulfil(const Wish& wish, Rendering& rendering, Measuring& measuring);
+    void measureFor(const Wish& wish, const Rendering& rendering, Measuring& measuring);
     std::optional<Wish> waitForWish(std::uint64_t known);
     std::optional<Wish> latestWish() const;
     void publish(Picture picture, const Rendering& rendering);
@@ -58,6 +67,9 @@ private:
     std::condition_variable changed_;
     std::optional<Wish> wish_;
     std::optional<Picture> picture_;
+    std::optional<Probe> probe_;
+    std::optional<Measured> measured_;
+    bool isNewProbe_ = false;
     State state_;
     bool isEnding_ = false;
 

@@ -63,14 +63,14 @@ glm::dvec3 flight() {
     return sum;
 }
 
-std::optional<scene::Camera> dragged(const scene::Camera& camera, double height) {
+std::optional<scene::Camera> dragged(const scene::Camera& camera, double height, bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
     const double x = double{io.MouseDelta.x} / height, y = double{io.MouseDelta.y} / height;
     if ((x == 0.0 && y == 0.0) || io.WantCaptureMouse) return std::nullopt;
     const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && io.KeyShift)) return panned(camera, x, -y);
     if (left && !ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return std::nullopt;  // a click, so far
-    if (left) return orbited(camera, -kTurn * x, kTurn * y);
+    if (left && leftOrbits) return orbited(camera, -kTurn * x, kTurn * y);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return dollied(camera, std::exp2(kDolly * y));
     return std::nullopt;
 }
@@ -92,9 +92,10 @@ std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Cam
 }  // namespace
 
 std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
-                                       const Rectangle& place, std::span<const KeyPress> keys) {
+                                       const Rectangle& place, std::span<const KeyPress> keys,
+                                       bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
-    std::optional<scene::Camera> result = dragged(camera, std::max(1.0, 1.0 * place.height));
+    std::optional<scene::Camera> result = dragged(camera, std::max(1.0, 1.0 * place.height), leftOrbits);
     if (io.MouseWheel != 0.0F && !io.WantCaptureMouse)
         result = dollied(result.value_or(camera), std::pow(kWheel, double{io.MouseWheel}));
     if (const auto moved = byKey(result.value_or(camera), home, keys)) result = moved;

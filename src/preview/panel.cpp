@@ -6,6 +6,7 @@
 #include <array>
 
 #include "preview/false_color.hpp"
+#include "preview/instrument.hpp"
 #include "preview/navigation.hpp"
 #include "preview/scene_editor.hpp"
 
@@ -89,6 +90,7 @@ void drawKeys(Settings& settings, int left) {
             ImGui::TextUnformatted(help.what);
         };
         for (const KeyHelp& help : navigationHelp()) row(help);
+        for (const KeyHelp& help : instrumentHelp()) row(help);
         for (const KeyHelp& help : kHelp) row(help);
         ImGui::EndTable();
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "image/exposure_meter.hpp"
 #include "preview/false_color.hpp"
@@ -52,7 +53,7 @@ void Rendering::load(const Wish& wish) {
                                       "the spectrum of a lamp"}});
         }
         scene->image = fitted(scene->image, progressive_.mostPixels());
-        scene->image.samples = wish.samples;
+        samplesOfScene_ = std::exchange(scene->image.samples, wish.samples);
         compiled_ = compile::compileScene(*scene);
         development_ = *development;
         scene_ = std::move(scene);

@@ -30,6 +30,12 @@ public:
 
     bool hasScene() const { return scene_ != nullptr; }
 
+    // Precondition: hasScene().
+    const std::shared_ptr<const scene::Scene>& scene() const { return scene_; }
+
+    // Samples of a pixel that the scene file asks for; those of scene() are the wish's.
+    std::uint32_t samplesOfScene() const { return samplesOfScene_; }
+
     // Whether every pixel has one already.
     bool hasSamples() const { return progressive_.samples() > 0; }
 
@@ -61,6 +67,7 @@ private:
     render::Progressive progressive_;
     std::shared_ptr<const Source> tried_, source_;
     std::shared_ptr<const scene::Scene> scene_;
+    std::uint32_t samplesOfScene_ = 1;
     image::Development development_;
     compile::CompiledScene compiled_;
     device::Specialisation constants_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fringe::preview {
@@ -77,6 +78,16 @@ std::vector<KeyPress> Window::takeKeys() {
 
 void Window::close() {
     glfwSetWindowShouldClose(handle(), GLFW_TRUE);
+}
+
+void Window::grow(int width, int leastHeight) {
+    Extent size{};
+    glfwGetWindowSize(handle(), &size.width, &size.height);
+    // Sizes are in screen coordinates, which are pixels but for some displays of high density.
+    const double perPixel = 1.0 * size.width / std::max(pixels().width, 1);
+    const auto scaled = [&](int count) { return static_cast<int>(std::lround(count * perPixel)); };
+    const Extent wanted = fitted({size.width + scaled(width), std::max(size.height, scaled(leastHeight))});
+    glfwSetWindowSize(handle(), wanted.width, wanted.height);
 }
 
 Extent Window::pixels() const {

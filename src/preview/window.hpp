@@ -54,6 +54,9 @@ public:
     void setTitle(const std::string& title);
     void close();
 
+    // Wider by so many pixels and at least so high, as far as the desktop lets it.
+    void grow(int width, int leastHeight);
+
     // The keys that went down since the last call.
     std::vector<KeyPress> takeKeys();
 

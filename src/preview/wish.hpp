@@ -65,10 +65,11 @@ struct Timing {
 
 // What the renderer has to tell beside pictures.
 struct State {
-    std::string device, driver;  // empty until it is open
-    std::string activity;        // what takes time just now; empty: nothing but samples
-    std::string error;           // why the last wish is not on show; empty: it is
-    std::string specialisation;  // the constants of the pipeline that are not 0
+    std::string device, driver;       // empty until it is open
+    std::string activity;             // what takes time just now; empty: nothing but samples
+    std::string error;                // why the last wish is not on show; empty: it is
+    std::optional<double> measuring;  // the share that is done; none: nothing is being measured
+    std::string specialisation;       // the constants of the pipeline that are not 0
     Timing timing;
 };
 

@@ -43,22 +43,58 @@ image::Pixel colorOf(const Report& report, std::size_t first, std::size_t last) 
     return {static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z), false};
 }
 
-// The colours along the line, exposed as a picture of it would be.
+// Exposed as a picture of them would be.
+std::vector<plot::Color> stripOf(const std::vector<image::Pixel>& pixels) {
+    image::Development development;
+    image::ExposureMeter meter(development);
+    meter.add(pixels);
+    development.exposure = meter.exposure();
+    std::vector<std::uint8_t> rgb(3 * pixels.size());
+    image::develop8(development, pixels, rgb);
+    std::vector<plot::Color> strip;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        strip.push_back({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
+    return strip;
+}
+
+// The colours along the line.
 std::vector<plot::Color> stripOf(const Report& report) {
     const std::size_t count = report.bands.size();
     const std::size_t columns = std::min(count, plot::kStripColumns);
     std::vector<image::Pixel> pixels;
     for (std::size_t column = 0; column < columns; ++column)
         pixels.push_back(colorOf(report, column * count / columns, (column + 1) * count / columns));
-    image::Development development;
-    image::ExposureMeter meter(development);
-    meter.add(pixels);
-    development.exposure = meter.exposure();
-    std::vector<std::uint8_t> rgb(3 * columns);
-    image::develop8(development, pixels, rgb);
-    std::vector<plot::Color> strip;
-    for (std::size_t i = 0; i < columns; ++i) strip.push_back({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
-    return strip;
+    return stripOf(pixels);
+}
+
+// The spectrum of one sample, and under it its colours, as a spectrograph shows them.
+plot::Chart spectrumChart(const Report& report) {
+    plot::Chart chart;
+    const dvec3 p = report.samples.points.front();
+    chart.title =
+        fmt::format("{}: spectrum at ({:.4g}, {:.4g}, {:.4g}) on {}",
+                    std::filesystem::path(report.scene).filename().string(), p.x, p.y, p.z, report.surface);
+    chart.subtitle = fmt::format("{:.4g} W/m\u00b2, {:.4g} lx, mean wavelength {:.1f} nm",
+                                 report.samples.irradiance.front(), illuminance_lx(report, 0),
+                                 report.samples.meanWavelength_nm.front());
+    chart.xLabel = "wavelength, nm";
+    chart.yLabel = "spectral irradiance, W/m\u00b2/nm";
+    for (device::uint band = 0; band < device::SPECTRAL_BANDS; ++band) {
+        chart.x.push_back(compile::bandMiddle_nm(band));
+        chart.y.push_back(report.bands.front()[band] / bandWidth_nm(band));
+    }
+    std::vector<image::Pixel> pixels;
+    for (double at = chart.x.front(); at <= chart.x.back(); ++at) {
+        const compile::BandShare share = compile::bandShare(at);
+        const double density =
+            (1.0 - share.upper) * chart.y[share.band] +
+            share.upper * chart.y[std::min<std::size_t>(share.band + 1, chart.y.size() - 1)];
+        const dvec3 xyz = density * optics::colorMatching(at);
+        pixels.push_back(
+            {static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z), false});
+    }
+    chart.strip = stripOf(pixels);
+    return chart;
 }
 
 bool isCsv(const std::filesystem::path& path) {
@@ -133,6 +169,12 @@ int decimalsOf(const Reading& reading) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(reading.uncertainty_nm))), 0, 4);
 }
 
+std::string wavelengthText(const Reading& reading) {
+    const int decimals = decimalsOf(reading);
+    return fmt::format("{:.{}f} +- {:.{}f} nm", reading.wavelength_nm, decimals, reading.uncertainty_nm,
+                       decimals);
+}
+
 std::string closedFormText(const ClosedFormProfile& form) {
     std::string text =
         form.gratings == 1 ? "closed form of the grating" : "closed forms of the gratings, added";
@@ -166,7 +208,15 @@ std::string csvText(const Report& report) {
     return text;
 }
 
+double illuminance_lx(const Report& report, std::size_t sample) {
+    double sum = 0.0;
+    for (device::uint band = 0; band < device::SPECTRAL_BANDS; ++band)
+        sum += report.bands[sample][band] * optics::colorMatching(compile::bandMiddle_nm(band)).y;
+    return optics::kMaximumLuminousEfficacy * sum;
+}
+
 plot::Chart chartOf(const Report& report) {
+    if (report.samples.points.size() == 1) return spectrumChart(report);
     plot::Chart chart;
     chart.title =
         fmt::format("{}: irradiance along {} of {}", std::filesystem::path(report.scene).filename().string(),

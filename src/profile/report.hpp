@@ -52,10 +52,19 @@ std::string lengthText(double metres);
 // As many decimals as the uncertainty has meaning for.
 int decimalsOf(const Reading& reading);
 
+// "589.59 +- 0.02 nm".
+std::string wavelengthText(const Reading& reading);
+
 // What the curve of closed forms is.
 std::string closedFormText(const ClosedFormProfile& form);
 
+// Of a sample, in lux: its bands by the luminous efficiency at their middles. For a
+// single line between two of them it is off by up to 2 %.
+double illuminance_lx(const Report& report, std::size_t sample);
+
 std::string csvText(const Report& report);
+
+// Along the line; of a single sample, its spectrum.
 plot::Chart chartOf(const Report& report);
 
 // Whether a report can be written to a file of this name: .csv, or a chart's.

@@ -149,7 +149,9 @@ std::string complaint(const scene::Scene& scene, dvec3 from, dvec3 to) {
     for (const double share : {0.0, 1.0, 0.5}) {
         const dvec3 point = from + share * (to - from);
         const std::optional<std::size_t> object = nearestObject(scene, point);
-        const char* which = share == 0.0 ? "--from" : share == 1.0 ? "--to" : "the middle of the line,";
+        const char* which = share == 0.0   ? "the beginning of the line,"
+                            : share == 1.0 ? "the end of the line,"
+                                           : "the middle of the line,";
         if (!object) {
             return fmt::format("{} {} is above no surface of the scene; give points on one", which,
                                textOf(point));
@@ -192,7 +194,7 @@ double SurfaceLine::length() const {
 SurfaceLine surfaceUnder(const scene::Scene& scene, dvec3 from, dvec3 to, dvec3 eye) {
     if (glm::distance(from, to) < kEdge)
         throw LineError(
-            fmt::format("--from and --to are the same point {}; give the two ends of a line", textOf(from)));
+            fmt::format("the line begins and ends at the same point {}; give its two ends", textOf(from)));
     const dvec3 middle = 0.5 * (from + to);
     std::optional<std::size_t> object;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {

@@ -3,6 +3,7 @@
 // Specialisation; the film has the same bits as that of a Renderer with as many samples.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,9 @@ public:
 
     // How many of every pixel have been taken.
     std::uint32_t samples() const { return samples_; }
+
+    // The same, with the share of the one under way.
+    double progress() const { return samples_ + 1.0 * nextRow_ / std::max(frame_.height, nextRow_ + 1); }
 
     const device::Frame& frame() const { return frame_; }
 

@@ -109,11 +109,12 @@ TEST(Surface, IsMeasuredOnTheSideOfTheEye) {
 TEST(Surface, ALineOffItIsToldHowFarAndWhereTo) {
     const scene::Scene scene = sceneOf(wall());
     const std::string off = refusal(scene, {0, 0, -0.98}, {0.1, 0, -1});
-    expectSays(off, "--from (0, 0, -0.98) is 20 mm from the nearest surface, \"wall\"");
+    expectSays(off, "the beginning of the line, (0, 0, -0.98) is 20 mm from the nearest surface, \"wall\"");
     expectSays(off, "within 0.1 mm");
     expectSays(off, "(0, 0, -1)");
-    expectSays(refusal(scene, {0, 0, -1}, {0.1, 0, -1.01}), "--to (0.1, 0, -1.01)");
-    expectSays(refusal(scene, {0, 0, -1}, {0.7, 0, -1}), "--to (0.7, 0, -1) is above no surface");
+    expectSays(refusal(scene, {0, 0, -1}, {0.1, 0, -1.01}), "the end of the line, (0.1, 0, -1.01)");
+    expectSays(refusal(scene, {0, 0, -1}, {0.7, 0, -1}),
+               "the end of the line, (0.7, 0, -1) is above no surface");
     expectSays(refusal(scene, {0, 0, -1}, {0, 0, -1}), "the same point");
 }
 

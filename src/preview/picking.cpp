@@ -1,0 +1,63 @@
+#include "preview/picking.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oracle/camera.hpp"
+#include "oracle/shapes.hpp"
+
+namespace fringe::preview {
+namespace {
+
+using glm::dvec3;
+
+// The nearest emitting surface of a light.
+std::optional<double> distanceOfLights(const scene::Scene& scene, const oracle::Ray& ray) {
+    std::optional<double> nearest;
+    for (const scene::Light& light : scene.lights) {
+        const auto* area = std::get_if<scene::AreaLight>(&light.model);
+        if (area == nullptr) continue;
+        const auto shape = std::visit([](const auto& s) { return scene::Shape(s); }, area->shape);
+        const auto hit = oracle::intersect(ray, shape);
+        if (hit && (!nearest || hit->distance < *nearest)) nearest = hit->distance;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+std::optional<Pick> pickAt(const scene::Scene& scene, const scene::Camera& camera, glm::dvec2 place) {
+    const oracle::Ray ray =
+        oracle::Camera(camera, scene.image.width, scene.image.height).ray(place, {0.5, 0.5});
+    std::optional<oracle::Hit> nearest;
+    std::size_t object = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const auto hit = oracle::intersect(ray, scene.objects[i].shape);
+        if (!hit || (nearest && nearest->distance <= hit->distance)) continue;
+        nearest = hit;
+        object = i;
+    }
+    if (!nearest) return std::nullopt;
+    const auto light = distanceOfLights(scene, ray);
+    if (light && *light < nearest->distance) return std::nullopt;
+    const bool faces = glm::dot(nearest->normal, ray.direction) <= 0.0;
+    return Pick{object, ray.at(nearest->distance), faces ? nearest->normal : -nearest->normal};
+}
+
+std::optional<glm::dvec2> placeOf(const scene::Image& image, const scene::Camera& camera, dvec3 point) {
+    const dvec3 forward = glm::normalize(camera.target - camera.position);
+    const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const dvec3 offset = point - camera.position;
+    const double depth = glm::dot(offset, forward);
+    if (depth <= 0.0) return std::nullopt;
+    const auto* perspective = std::get_if<scene::Perspective>(&camera.projection);
+    // Metres that half of the picture's height shows there.
+    const double half = perspective != nullptr
+                            ? depth * std::tan(0.5 * (perspective->fov / units::rad))
+                            : 0.5 * std::get<scene::Orthographic>(camera.projection).height;
+    const glm::dvec2 size(image.width, image.height);
+    const glm::dvec2 seen(glm::dot(offset, right), -glm::dot(offset, glm::cross(right, forward)));
+    return 0.5 * size + seen * (0.5 * size.y / half);
+}
+
+}  // namespace fringe::preview

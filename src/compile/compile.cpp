@@ -10,6 +10,7 @@
 #include "compile/number.hpp"
 #include "compile/ripples.hpp"
 #include "compile/shapes.hpp"
+#include "compile/table_memo.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -131,7 +132,8 @@ void setView(const scene::Camera& camera, const scene::Image& image, device::Fra
     setPixelWidth(camera, image, frame);
 }
 
-CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
+CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo* memo) {
+    if (memo != nullptr) memo->beginScene();
     CompiledScene out;
     device::Frame& frame = out.frame;
     setView(scene.camera, scene.image, frame);
@@ -145,7 +147,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure) {
     out.inBands = out.isSpectrum || std::any_of(scene.materials.begin(), scene.materials.end(), isMetal);
 
     // Reflectances first: what a light needs depends on what it falls on.
-    SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1);
+    SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1, memo);
     addMaterials(scene, tables, out);
     addGlowingObjects(scene, tables, out);
     const device::uint firstLightMaterial = count(out.materials.size());

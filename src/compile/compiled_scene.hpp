@@ -43,8 +43,10 @@ struct CompiledScene {
     std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
 };
 
-// Pure. The only place where units become floats.
-CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color);
+// The only place where units become floats. The same for the same scene; a memo only spares time
+// (table_memo.hpp).
+CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color,
+                           TableMemo* memo = nullptr);
 
 // The part of `frame` that depends on where the scene is seen from, and on the picture's size and samples.
 // The rest of a CompiledScene does not.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <numbers>
 
 #include "compile/evaluators.hpp"
@@ -172,9 +173,9 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
             packed.entries = choice.wavelengths;
             responses.insert(responses.end(), waves.begin(), waves.end());
         } else {
-            const SlitResponse response =
-                byOrders ? orderResponse(lit, spectrum, tables)
-                         : slitResponse(lit, spectrum, tables, !isWide, choice.stepsPerU);
+            const auto kept = byOrders ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
+                                       : slitResponse(lit, spectrum, tables, !isWide, choice.stepsPerU);
+            const SlitResponse& response = *kept;
             packed.zeroEntry = response.zeroEntry;
             packed.perU = toFloat(response.perU);
             packed.entries = response.entries;

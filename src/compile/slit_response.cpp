@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "compile/slit_bins.hpp"
+#include "compile/table_memo.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 
@@ -137,55 +138,100 @@ private:
 constexpr int kLargestSlope = 255;  // nine bits with a sign
 constexpr int kLargestShift = 31;
 
+// 1, 1/2, 1/4, ...: std::ldexp is a call, and there are three numbers for every entry.
+constexpr std::array<double, kLargestShift + 1> kHalves = [] {
+    std::array<double, kLargestShift + 1> halves{1.0};
+    for (std::size_t i = 1; i < halves.size(); ++i) halves[i] = 0.5 * halves[i - 1];
+    return halves;
+}();
+
 // Three numbers of at most 255 2^31, as three of nine bits and what they are shifted by.
 device::uint packedSlopes(glm::dvec3 slopes) {
     const double largest = std::max({std::abs(slopes.x), std::abs(slopes.y), std::abs(slopes.z)});
-    int shift = 0;
-    while (shift < kLargestShift && std::ldexp(largest, -shift) > kLargestSlope) ++shift;
+    std::size_t shift = 0;
+    if (largest > kLargestSlope) {
+        int exponent = 0;  // largest < 2^exponent
+        std::frexp(largest, &exponent);
+        shift = static_cast<std::size_t>(std::clamp(exponent - 8, 0, kLargestShift));
+        if (shift < kLargestShift && largest * kHalves[shift] > kLargestSlope) ++shift;
+    }
     device::uint packed = static_cast<device::uint>(shift) << 27;
     for (int i = 0; i < 3; ++i) {
-        const auto rounded = static_cast<int>(std::lround(std::ldexp(slopes[i], -shift)));
+        const double scaled = slopes[i] * kHalves[shift];
+        const auto rounded = static_cast<int>(scaled + std::copysign(0.5, scaled));
         packed |= (static_cast<device::uint>(rounded) & 0x1ffU) << (9 * i);
     }
     return packed;
+}
+
+// work(i) for i = 0 .. count - 1. Threads take turns, because entries near 0 are quicker.
+template <class Work>
+void inParallel(int count, Work work) {
+    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    std::vector<std::jthread> helpers;
+    const auto share = [&](int thread) {
+        for (int i = thread; i < count; i += threads) work(i);
+    };
+    for (int thread = 1; thread < threads; ++thread) helpers.emplace_back(share, thread);
+    share(0);
 }
 
 }  // namespace
 
 void encode(const std::vector<glm::vec3>& density, SlitResponse& out) {
     constexpr double kLargestIntegral = 2147483647.0;  // differences fit a signed integer
-    double total = 1e-20, steepest = 1e-20;  // far below what a light sends, so that units stay normal floats
-    for (std::size_t first = 0; first < density.size(); first += out.entries) {
+    constexpr double kLeast = 1e-20;  // far below what a light sends, so that units stay normal floats
+    const auto tables = static_cast<int>(density.size() / out.entries);
+    const auto firstOf = [&](int table) { return static_cast<std::size_t>(table) * out.entries; };
+    std::vector<std::pair<double, double>> extremes(static_cast<std::size_t>(tables));
+    inParallel(tables, [&](int table) {
+        const std::size_t first = firstOf(table);
+        double steepest = kLeast;
         glm::dvec3 sum(0.0);
         for (std::size_t i = first; i + 1 < first + out.entries; ++i) {
             sum += 0.5 * (glm::dvec3(density[i]) + glm::dvec3(density[i + 1]));
             const glm::dvec3 slope = glm::abs(glm::dvec3(density[i + 1]) - glm::dvec3(density[i]));
             steepest = std::max({steepest, slope.x, slope.y, slope.z});
         }
-        total = std::max({total, sum.x, sum.y, sum.z});
+        extremes[static_cast<std::size_t>(table)] = {std::max({kLeast, sum.x, sum.y, sum.z}), steepest};
+    });
+    double total = kLeast, steepest = kLeast;
+    for (const auto& [tableTotal, tableSteepest] : extremes) {
+        total = std::max(total, tableTotal);
+        steepest = std::max(steepest, tableSteepest);
     }
     out.integralUnit = total / kLargestIntegral;
     const double slopeUnit = std::ldexp(steepest / kLargestSlope, -kLargestShift);
     out.slopeUnit = slopeUnit / out.integralUnit;
-    out.values.reserve(density.size());
-    for (std::size_t first = 0; first < density.size(); first += out.entries) {
+    out.values.resize(density.size());
+    inParallel(tables, [&](int table) {
+        const double perUnit = 1.0 / out.integralUnit, perSlope = 1.0 / slopeUnit;
+        const std::size_t first = firstOf(table);
         glm::dvec3 sum(0.0);
         for (std::size_t i = first; i < first + out.entries; ++i) {
             const glm::dvec3 here(density[i]);
             const glm::dvec3 next(i + 1 < first + out.entries ? density[i + 1] : density[i]);
-            const device::uint packed = packedSlopes((next - here) / slopeUnit);
-            out.values.push_back({device::uvec3(glm::round(sum / out.integralUnit)), packed});
+            const device::uint packed = packedSlopes((next - here) * perSlope);
+            out.values[i] = {device::uvec3(sum * perUnit + 0.5), packed};
             sum += 0.5 * (here + next);
         }
-    }
+    });
 }
 
-double LitSlits::propagatingShare(double wavelength_nm) const {
-    if (!orders.empty()) return 1.0;
-    return optics::propagatingShare(slits, wavelength_nm * units::nm, alphaIn, betaIn);
+namespace {
+
+// Everything that makeResponse() looks at.
+TableMemo::Key keyOf(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
+                     bool zeroOrder, double perU) {
+    TableMemo::Key key;
+    key.add(lit.slits.count).add(lit.slits.width / units::um).add(lit.slits.period / units::um);
+    key.add(lit.alphaIn).add(lit.betaIn).add(zeroOrder ? 1.0 : 0.0).add(perU);
+    key.add(static_cast<double>(lit.orders.size()));
+    for (const scene::OrderEfficiency& order : lit.orders) key.add(order.order).add(order.efficiency);
+    return key.add(spectrum.density).addReflectances(tables);
 }
 
-SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
+SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
                           bool zeroOrder, double perU) {
     const double count = lit.slits.count;
     const double width_um = lit.slits.width / units::um;
@@ -262,8 +308,10 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             }
         }
     };
-    const auto writeEntry = [&](int entry, Accumulator& sums) {
+    // Each entry is one thread's own.
+    const auto writeEntry = [&](int entry) {
         const double u = entry / perU;
+        Accumulator sums(reflectances);
         if (lit.orders.empty()) {
             sums.clear();
             for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -284,21 +332,25 @@ SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             storeAll(side * entry, sums);
         }
     };
-    // Threads take turns, because entries near 0 are quicker. Each writes its own entries.
-    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<std::jthread> workers;
-    for (int thread = 0; thread < threads; ++thread) {
-        workers.emplace_back([&, thread] {
-            Accumulator sums(reflectances);
-            for (int entry = thread; entry <= std::max(below, above); entry += threads)
-                writeEntry(entry, sums);
-        });
-    }
-    workers.clear();  // waits for them
+    inParallel(std::max(below, above) + 1, writeEntry);
 
     SlitResponse out{static_cast<device::uint>(below), perU, entries, 0.0, 0.0, {}};
     encode(density, out);
     return out;
+}
+
+}  // namespace
+
+double LitSlits::propagatingShare(double wavelength_nm) const {
+    if (!orders.empty()) return 1.0;
+    return optics::propagatingShare(slits, wavelength_nm * units::nm, alphaIn, betaIn);
+}
+
+std::shared_ptr<const SlitResponse> slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
+                                                 const SpectralTables& tables, bool zeroOrder, double perU) {
+    const auto make = [&] { return makeResponse(lit, spectrum, tables, zeroOrder, perU); };
+    if (tables.memo() == nullptr) return std::make_shared<const SlitResponse>(make());
+    return tables.memo()->table(keyOf(lit, spectrum, tables, zeroOrder, perU), make);
 }
 
 }  // namespace fringe::compile

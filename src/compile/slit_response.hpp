@@ -3,6 +3,7 @@
 // interpolates in it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "compile/spectral.hpp"
@@ -37,8 +38,9 @@ struct SlitResponse {
     std::vector<device::ResponseEntry> values;  // [reflectance][sum of the bands, then each][entry]
 };
 
-// `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()).
-SlitResponse slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
-                          bool zeroOrder, double perU);
+// `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()). From the memo of
+// `tables`, if there.
+std::shared_ptr<const SlitResponse> slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
+                                                 const SpectralTables& tables, bool zeroOrder, double perU);
 
 }  // namespace fringe::compile

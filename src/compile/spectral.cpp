@@ -97,9 +97,10 @@ BandShare bandShare(double wavelength_nm) {
     return {band, std::clamp((wavelength_nm - below) / (above - below), 0.0, 1.0)};
 }
 
-SpectralTables::SpectralTables(Measure measure, device::uint bands)
+SpectralTables::SpectralTables(Measure measure, device::uint bands, TableMemo* memo)
     : measure_(measure),
       bands_(bands),
+      memo_(memo),
       perWatt_(optics::kMaximumLuminousEfficacy / optics::luminousEfficacyOfD65()),
       reflectances_{optics::constantCurve(1.0)} {}
 

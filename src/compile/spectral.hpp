@@ -43,10 +43,13 @@ struct BandShare {
 };
 BandShare bandShare(double wavelength_nm);
 
+class TableMemo;
+
 class SpectralTables {
 public:
-    // `bands`: 1, or SPECTRAL_BANDS where paths carry bands.
-    SpectralTables(Measure measure, device::uint bands);
+    // `bands`: 1, or SPECTRAL_BANDS where paths carry bands. `memo`: where the tables of gratings are kept
+    // from one scene to the next; null: nowhere.
+    SpectralTables(Measure measure, device::uint bands, TableMemo* memo = nullptr);
 
     struct Reflector {
         device::uint row;
@@ -58,7 +61,9 @@ public:
     Reflector reflector(const optics::Curve& reflectance);
     device::uint metal(scene::Metal metal);
 
+    Measure measure() const { return measure_; }
     device::uint bands() const { return bands_; }
+    TableMemo* memo() const { return memo_; }
     const std::vector<optics::Spectrum>& spectra() const { return spectra_; }
     const std::vector<optics::Curve>& reflectances() const { return reflectances_; }
 
@@ -74,6 +79,7 @@ public:
 private:
     Measure measure_;
     device::uint bands_;
+    TableMemo* memo_;
     double perWatt_;  // scale of the colour-matching functions
     std::vector<optics::Spectrum> spectra_;
     std::vector<optics::Curve> reflectances_;

@@ -54,7 +54,7 @@ void Rendering::load(const Wish& wish) {
         }
         scene->image = fitted(scene->image, progressive_.mostPixels());
         samplesOfScene_ = std::exchange(scene->image.samples, wish.samples);
-        compiled_ = compile::compileScene(*scene);
+        compiled_ = compile::compileScene(*scene, compile::Measure::color, &memo_);
         development_ = *development;
         scene_ = std::move(scene);
     }

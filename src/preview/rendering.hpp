@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compile/table_memo.hpp"
 #include "image/develop.hpp"
 #include "preview/wish.hpp"
 #include "render/progressive.hpp"
@@ -69,6 +70,7 @@ private:
     std::shared_ptr<const scene::Scene> scene_;
     std::uint32_t samplesOfScene_ = 1;
     image::Development development_;
+    compile::TableMemo memo_;
     compile::CompiledScene compiled_;
     device::Specialisation constants_;
     scene::Image image_;    // size, samples and seed of the picture in full

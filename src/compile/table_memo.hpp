@@ -1,0 +1,61 @@
+// Tables of gratings, kept from one scene to the next: of a scene that changes by a knob most stay as they
+// are. A table is known by the numbers that it depends on, all of them.
+#pragma once
+
+#include <algorithm>
+#include <any>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "compile/spectral.hpp"
+
+namespace fringe::compile {
+
+class TableMemo {
+public:
+    // Of a table. Sequences are written with their length, so that equal numbers mean equal tables.
+    class Key {
+    public:
+        Key& add(double value);
+        Key& add(const optics::Curve& curve);
+        Key& add(const optics::Spectrum& spectrum);
+        Key& add(std::span<const float> values);
+        Key& addReflectances(const SpectralTables& tables);  // and what is measured
+
+        bool operator==(const Key&) const = default;
+
+    private:
+        std::vector<double> numbers_;
+    };
+
+    // A scene is compiled from here on: what the one before it did not ask for is let go.
+    void beginScene();
+
+    // What `make` returned for an equal key, or returns now. Precondition: a key stands for one type.
+    template <class Make>
+    auto table(Key key, Make make) {
+        using Table = std::invoke_result_t<Make>;
+        const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                        [&](const Entry& entry) { return entry.key == key; });
+        if (known != entries_.end()) {
+            known->isWanted = true;
+            return std::any_cast<std::shared_ptr<const Table>>(known->table);
+        }
+        auto made = std::make_shared<const Table>(make());
+        entries_.push_back({std::move(key), made, true});
+        return made;
+    }
+
+private:
+    struct Entry {
+        Key key;
+        std::any table;
+        bool isWanted;  // by the scene that is being compiled
+    };
+
+    std::vector<Entry> entries_;
+};
+
+}  // namespace fringe::compile

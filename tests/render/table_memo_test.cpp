@@ -1,0 +1,117 @@
+// Tables of gratings kept from scene to scene: whatever was compiled before, a scene gets the tables that it
+// gets without a memo, and of those that it has in common with the scene before none is made again.
+#include "compile/table_memo.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+
+#include "render/rendering.hpp"
+
+namespace fringe::testing {
+namespace {
+
+using compile::TableMemo;
+
+template <class Element>
+bool sameBytes(const std::vector<Element>& a, const std::vector<Element>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Element)) == 0;
+}
+
+scene::Grating& gratingOf(scene::Scene& scene, std::size_t number) {
+    for (scene::Light& light : scene.lights) {
+        auto* grating = std::get_if<scene::Grating>(&light.model);
+        if (grating != nullptr && number-- == 0) return *grating;
+    }
+    throw std::logic_error("no such grating");
+}
+
+optics::Slits& slitsOf(scene::Scene& scene, std::size_t number) {
+    return std::get<optics::Slits>(gratingOf(scene, number).aperture);
+}
+
+// Each changes something that the tables may depend on.
+std::vector<std::function<void(scene::Scene&)>> changes() {
+    using Scene = scene::Scene;
+    return {[](Scene& scene) { slitsOf(scene, 0).count = 2; },
+            [](Scene& scene) { slitsOf(scene, 1).period = 2.5 * units::um; },
+            [](Scene& scene) { slitsOf(scene, 2).width = 0.9 * units::um; },
+            [](Scene& scene) { gratingOf(scene, 1).beam.power = 3.0 * units::W; },
+            [](Scene& scene) {
+                gratingOf(scene, 0).beam.direction = {0.6, 0.0, -0.8};
+            },
+            [](Scene& scene) {
+                gratingOf(scene, 0).beam.direction = {0.0, 0.6, -0.8};
+            },
+            [](Scene& scene) {
+                gratingOf(scene, 1).efficiencies = {{1, optics::constantCurve(0.3)}};
+            },
+            [](Scene& scene) {
+                gratingOf(scene, 1).efficiencies = {{1, optics::constantCurve(0.4)}};
+            },
+            [](Scene& scene) {
+                gratingOf(scene, 1).efficiencies = {{2, optics::constantCurve(0.4)}};
+            },
+            [](Scene& scene) { scene.lights[1].spectrum.density = optics::constantCurve(1.0 / 400.0); },
+            [](Scene& scene) {
+                auto& red = std::get<scene::Diffuse>(scene.materials[1].model);
+                for (optics::Knot& knot : red.reflectance) knot.value *= 0.5;
+            }};
+}
+
+// Three gratings and walls of three colours.
+scene::Scene room() {
+    scene::Scene scene = sceneFile("scenes/gratings/five-gratings.json");
+    scene.lights.resize(4);
+    return scene;
+}
+
+TEST(TableMemo, ChangesNoTable) {
+    TableMemo memo;
+    scene::Scene scene = room();
+    for (const auto& change : changes()) {
+        for (const compile::Measure measure : {compile::Measure::color, compile::Measure::radiance}) {
+            const compile::CompiledScene remembered = compile::compileScene(scene, measure, &memo);
+            const compile::CompiledScene afresh = compile::compileScene(scene, measure);
+            EXPECT_TRUE(sameBytes(remembered.responses, afresh.responses));
+            EXPECT_TRUE(sameBytes(remembered.slitGratings, afresh.slitGratings));
+            EXPECT_TRUE(sameBytes(remembered.tables, afresh.tables));
+        }
+        change(scene);
+    }
+}
+
+// A table that tells how often one was made.
+class Maker {
+public:
+    int madeFor(TableMemo& memo, double number) {
+        return *memo.table(TableMemo::Key().add(number), [this] { return ++made_; });
+    }
+
+private:
+    int made_ = 0;
+};
+
+TEST(TableMemo, MakesATableOnceWhileScenesWantIt) {
+    TableMemo memo;
+    Maker maker;
+    EXPECT_EQ(maker.madeFor(memo, 1.0), 1);
+    EXPECT_EQ(maker.madeFor(memo, 2.0), 2);
+    EXPECT_EQ(maker.madeFor(memo, 1.0), 1);
+    memo.beginScene();
+    EXPECT_EQ(maker.madeFor(memo, 1.0), 1);
+    memo.beginScene();
+    EXPECT_EQ(maker.madeFor(memo, 1.0), 1);
+    EXPECT_EQ(maker.madeFor(memo, 2.0), 3);  // the scene before had no use for it
+}
+
+TEST(TableMemo, TellsSequencesApart) {
+    const optics::Curve first{{500.0, 1.0}, {600.0, 2.0}}, none;
+    EXPECT_FALSE(TableMemo::Key().add(first).add(none) == TableMemo::Key().add(none).add(first));
+    EXPECT_FALSE(TableMemo::Key().add(none) == TableMemo::Key());
+    EXPECT_TRUE(TableMemo::Key().add(first) == TableMemo::Key().add(first));
+}
+
+}  // namespace
+}  // namespace fringe::testing

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "cli/input.hpp"
 #include "optics/color.hpp"
@@ -42,12 +43,14 @@ std::optional<double> stopsOf(std::string_view text) {
     return stops;
 }
 
-image::Development developmentOf(const scene::Scene& scene) {
-    const auto development = render::developmentOf(scene);
+image::Development developmentOf(const scene::Scene& scene, const PictureOptions& options) {
+    auto development = render::developmentOf(scene);
     if (!development) {
         throw InputError(
             "camera.white_balance: this light is too saturated to look white; give the spectrum of a lamp");
     }
+    for (const image::NamedToneCurve& named : image::kToneCurves)
+        if (named.name == options.toneCurve) development->toneCurve = named.curve;
     return *development;
 }
 
@@ -63,6 +66,14 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
         .add_option("--color-space", options.colorSpace,
                     "of PNG files: srgb, display-p3 or rec2020 (default: the scene's)")
         ->check(CLI::IsMember({"srgb", "display-p3", "rec2020"}));
+    std::vector<std::string> curves;
+    for (const image::NamedToneCurve& named : image::kToneCurves) curves.emplace_back(named.name);
+    command
+        .add_option(
+            "--tone-curve", options.toneCurve,
+            "of PNG files: linear (default), reinhard or filmic, which keep apart what is brighter than "
+            "white")
+        ->check(CLI::IsMember(curves));
     command
         .add_option("--quantity", options.quantity,
                     "color (default), or in EXR files luminance (cd/m^2), radiance (W/(m^2 sr)) or "
@@ -109,7 +120,7 @@ void applyTo(scene::Image& image, const PictureOptions& options) {
 image::OutputOptions outputOptions(const PictureOptions& options, const scene::Scene& scene) {
     const image::Quantity quantity = quantityOf(options);
     const bool isColor = quantity == image::Quantity::color;
-    return {.development = developmentOf(scene),
+    return {.development = developmentOf(scene, options),
             .pngBits = options.pngBits,
             .quantity = quantity,
             .exrColor = options.exrColor == "xyz" ? image::ExrColor::xyz : image::ExrColor::rgb,
@@ -121,6 +132,7 @@ std::string pictureText(const PictureOptions& options, const scene::Image& image
     std::string text;
     if (image.colorSpace != scene::ColorSpace::srgb)
         text += fmt::format(", color space {}", spaceOf(image).name);
+    if (options.toneCurve != "linear") text += fmt::format(", tone curve {}", options.toneCurve);
     if (options.quantity != "color") text += fmt::format(", quantity {}", options.quantity);
     return text;
 }

@@ -17,6 +17,7 @@ struct PictureOptions {
     std::string quantity = "color";
     std::string colorSpace;
     std::string exposure;
+    std::string toneCurve = "linear";
 };
 
 void addPictureOptions(CLI::App& command, PictureOptions& options);

@@ -51,6 +51,7 @@ void develop(const Quantiser& quantise, const Development& development, std::spa
     Code* out = rgb.data();
     for (const Pixel& pixel : pixels) {
         DisplayColor color = displayed(pixel);
+        if (development.toneCurve != ToneCurve::linear) color = toned(development.toneCurve, color);
         if (!fits(color.rgb)) color.rgb = intoGamut(color);
         if (pixel.nonFinite) color.rgb = {};
         *out++ = static_cast<Code>(quantise(color.rgb.x));
@@ -65,6 +66,13 @@ DisplayTransform::DisplayTransform(const Development& development) {
     const glm::dmat3 adapted = std::exp2(development.exposure) * development.whiteBalance;
     rgbFromXyz_ = linearFromXyz(development.colorSpace) * adapted;
     luminanceFromXyz_ = glm::transpose(adapted)[1];
+}
+
+DisplayColor toned(ToneCurve curve, const DisplayColor& color) {
+    if (!(color.luminance > 0.0)) return color;
+    const double luminance = toned(curve, color.luminance);
+    if (!isFinite(color.rgb) || !std::isfinite(color.luminance)) return {glm::dvec3(luminance), luminance};
+    return {luminance / color.luminance * color.rgb, luminance};
 }
 
 glm::dvec3 withoutNegative(const DisplayColor& color) {

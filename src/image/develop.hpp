@@ -1,9 +1,10 @@
 // Develop: the film's XYZ to the code values that a display and a PNG file take. The one implementation, so
 // that every picture of the program, on the screen or in a file, shows the same values.
 //
-// The steps, all in double precision: white balance and exposure; XYZ to linear RGB of the colour space;
-// gamut mapping; transfer curve; rounding to max = 255 or 65535, halves up. A colour whose channels all lie
-// in 0..1 is not mapped: it becomes round(max * encode(channel)).
+// The steps, all in double precision: white balance and exposure; XYZ to linear RGB of the colour space; tone
+// curve (of the luminance, all channels by the same factor); gamut mapping; transfer curve; rounding to max =
+// 255 or 65535, halves up. A colour whose channels then all lie in 0..1 is not mapped: it becomes round(max *
+// encode(channel)).
 //
 // Gamut mapping keeps the luminance and goes along the straight line to the grey of that luminance, as far as
 // it takes for the last channel to fit into 0..1: the dominant wavelength stays and no channel is clipped.
@@ -21,12 +22,14 @@
 
 #include "image/color_space.hpp"
 #include "image/image.hpp"
+#include "image/tone_curve.hpp"
 
 namespace fringe::image {
 
 struct Development {
     ColorSpace colorSpace = ColorSpace::srgb;
-    double exposure = 0.0;         // stops: light is multiplied by 2^exposure
+    double exposure = 0.0;  // stops: light is multiplied by 2^exposure
+    ToneCurve toneCurve = ToneCurve::linear;
     glm::dmat3 whiteBalance{1.0};  // XYZ to XYZ: adaptation(white of the scene, displayWhite())
 };
 
@@ -52,6 +55,9 @@ private:
     glm::dmat3 rgbFromXyz_;
     glm::dvec3 luminanceFromXyz_;
 };
+
+// The colour as the curve has it: another luminance, the same chromaticity.
+DisplayColor toned(ToneCurve curve, const DisplayColor& color);
 
 // The colour of the same luminance and dominant wavelength with no channel below 0.
 glm::dvec3 withoutNegative(const DisplayColor& color);

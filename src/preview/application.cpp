@@ -191,7 +191,9 @@ private:
 
     void savePicture() {
         if (!picture_ || !picture_->film) {
-            notice_ = "the picture is still coarse; save it when it rests";
+            notice_ = showsWavelength(settings_.display.view)
+                          ? "a view of one wavelength is not saved; choose another view"
+                          : "the picture is still coarse; save it when it rests";
             return;
         }
         const auto png = pictureFile(*picture_->source, ".png"), exr = pictureFile(*picture_->source, ".exr");
@@ -250,9 +252,12 @@ private:
 
     void sendWish(Statistics::Cause cause) {
         ++wishes_;
+        Switches switches = settings_.switches;
+        if (showsWavelength(settings_.display.view)) switches.wavelength_nm = settings_.wavelength_nm;
         statistics_.wished(wishes_, cause);
         engine_.wish({.number = wishes_,
                       .source = document_.source(),
+                      .switches = std::move(switches),
                       .cameraNumber = cameraNumber_,
                       .camera = camera_,
                       .display = settings_.display,

@@ -41,10 +41,27 @@ bool drawDisplay(Settings& settings, const Facts& facts) {
         settings.display.exposure = double{exposure};
         changed = true;
     }
-    int view = settings.display.view == View::decades ? 1 : 0;
-    if (ImGui::Combo("view", &view, "colour\0luminance, in decades\0")) {
-        settings.display.view = view == 1 ? View::decades : View::color;
+    auto curve = static_cast<int>(settings.display.toneCurve);
+    const auto nameOf = [](void*, int index, const char** name) {
+        *name = image::kToneCurves.at(static_cast<std::size_t>(index)).name.data();
+        return true;
+    };
+    if (ImGui::Combo("tone curve", &curve, nameOf, nullptr, static_cast<int>(image::kToneCurves.size()))) {
+        settings.display.toneCurve = image::kToneCurves.at(static_cast<std::size_t>(curve)).curve;
         changed = true;
+    }
+    auto view = static_cast<int>(settings.display.view);  // in the order of the enumeration
+    if (ImGui::Combo("view", &view,
+                     "colour\0luminance, in decades\0one wavelength\0one wavelength, in grey\0")) {
+        settings.display.view = static_cast<View>(view);
+        changed = true;
+    }
+    if (showsWavelength(settings.display.view)) {
+        auto wavelength_nm = static_cast<float>(settings.wavelength_nm);
+        if (ImGui::SliderFloat("wavelength", &wavelength_nm, 390.0F, 770.0F, "%.0f nm")) {
+            settings.wavelength_nm = double{wavelength_nm};
+            changed = true;
+        }
     }
     if (settings.display.view == View::decades) drawLegend();
     int samples = static_cast<int>(settings.samples);
@@ -56,6 +73,30 @@ bool drawDisplay(Settings& settings, const Facts& facts) {
         ImGui::Text("%u x %u, sample %u of %u", facts.picture->width, facts.picture->height,
                     facts.picture->samples, settings.samples);
         ImGui::Text("exposure in all %+.2f stops", facts.picture->exposure);
+    }
+    return changed;
+}
+
+// What of the scene is shown.
+bool drawSwitches(Settings& settings, const Document& document) {
+    if (!ImGui::CollapsingHeader("Switches")) return false;
+    bool changed = false;
+    bool mattOnly = settings.switches.mattOnly;
+    if (ImGui::Checkbox("mirrors, glass and discs as grey walls", &mattOnly)) {
+        settings.switches.mattOnly = mattOnly;
+        changed = true;
+    }
+    const Json::Value& lights = document.root()["lights"];
+    for (Json::ArrayIndex i = 0; i < lights.size(); ++i) {
+        if (!lights[i].isObject()) continue;
+        ImGui::PushID(static_cast<int>(i));
+        bool isOn = !settings.switches.darkLights.contains(i);
+        if (ImGui::Checkbox(entryName(lights[i], i).c_str(), &isOn)) {
+            if (isOn) settings.switches.darkLights.erase(i);
+            else settings.switches.darkLights.insert(i);
+            changed = true;
+        }
+        ImGui::PopID();
     }
     return changed;
 }
@@ -138,6 +179,7 @@ PanelActions drawPanel(Settings& settings, Document& document, const Facts& fact
         ImGui::SameLine();
         actions.saveScene = ImGui::Button("save scene (Ctrl S)");
         actions.scene = drawSceneEditor(document);
+        if (drawSwitches(settings, document)) actions.display = true;
         drawTimes(facts);
         ImGui::PopItemWidth();
         ImGui::End();

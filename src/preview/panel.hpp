@@ -9,6 +9,8 @@ namespace fringe::preview {
 // What the user sets beside the scene itself.
 struct Settings {
     Display display;
+    double wavelength_nm = 550.0;  // of the views that show one
+    Switches switches;             // but for the wavelength
     std::uint32_t samples = 16;
     bool showsPanel = true;
     bool showsKeys = false;

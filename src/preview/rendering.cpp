@@ -41,11 +41,12 @@ scene::Image fitted(scene::Image image, std::uint64_t mostPixels) {
 
 void Rendering::load(const Wish& wish) {
     tried_ = wish.source;
+    triedSwitches_ = wish.switches;
     timing_.scene = 0.0;
     {
         const Stopwatch watch(timing_.scene);
-        auto scene = std::make_shared<scene::Scene>(
-            scene::parseScene(wish.source->text, wish.source->file, wish.source->overrides));
+        auto scene = std::make_shared<scene::Scene>(switched(
+            scene::parseScene(wish.source->text, wish.source->file, wish.source->overrides), wish.switches));
         const auto development = render::developmentOf(*scene);
         if (!development) {
             throw scene::SceneError({{wish.source->file,
@@ -54,11 +55,14 @@ void Rendering::load(const Wish& wish) {
         }
         scene->image = fitted(scene->image, progressive_.mostPixels());
         samplesOfScene_ = std::exchange(scene->image.samples, wish.samples);
-        compiled_ = compile::compileScene(*scene, compile::Measure::color, &memo_);
+        compiled_ = compile::compileScene(
+            *scene, wish.switches.wavelength_nm ? compile::Measure::radiance : compile::Measure::color,
+            &memo_);
         development_ = *development;
         scene_ = std::move(scene);
     }
     source_ = wish.source;
+    wavelength_nm_ = wish.switches.wavelength_nm;
     wish_ = wish;
     start();
 }
@@ -146,6 +150,7 @@ Picture Rendering::develop() {
                     .scene = scene_,
                     .source = source_};
     progressive_.read(pixels_);
+    if (wavelength_nm_) spreadOverColors(pixels_);
     if (scene_->image.autoExposure) {
         image::ExposureMeter meter(development_);
         meter.add(pixels_);
@@ -153,12 +158,15 @@ Picture Rendering::develop() {
     }
     rgb_.resize(3 * pixels_.size());
     picture.development = development_;
+    picture.development.toneCurve = wish_.display.toneCurve;
     picture.development.exposure = picture.exposure;
     image::Development onScreen = picture.development;
     onScreen.colorSpace = image::ColorSpace::srgb;  // that of windows
-    if (wish_.display.view == View::decades) falseColors(pixels_, picture.exposure, rgb_);
+    const bool isGrey = wish_.display.view == View::greyWavelength;
+    if (wavelength_nm_) tint(pixels_, onScreen, isGrey ? glm::dvec3(1.0) : tintOf(*wavelength_nm_), rgb_);
+    else if (wish_.display.view == View::decades) falseColors(pixels_, picture.exposure, rgb_);
     else image::develop8(onScreen, pixels_, rgb_);
-    if (isFull())
+    if (isFull() && !wavelength_nm_)
         picture.film = std::make_shared<const image::Image>(image::Image{frame.width, frame.height, pixels_});
     picture.rgba.resize(4 * pixels_.size());
     for (std::size_t i = 0; i < pixels_.size(); ++i) std::copy_n(&rgb_[3 * i], 3, &picture.rgba[4 * i]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ public:
     // Keeps a reference to the device.
     explicit Rendering(const gpu::Device& device) : progressive_(device) {}
 
-    // Whether the wish is for another scene than the one that load() was last called with.
-    bool isNewScene(const Wish& wish) const { return wish.source != tried_; }
+    // Whether the wish is for another scene, or for other parts of it, than the one that load() was last
+    // called with.
+    bool isNewScene(const Wish& wish) const {
+        return wish.source != tried_ || wish.switches != triedSwitches_;
+    }
 
     // Reads and compiles the scene of the wish and begins with it. Throws scene::SceneError, and then the
     // scene before stays, or gpu::DeviceError, and then this is of no more use.
@@ -67,6 +71,8 @@ private:
 
     render::Progressive progressive_;
     std::shared_ptr<const Source> tried_, source_;
+    Switches triedSwitches_;
+    std::optional<double> wavelength_nm_;  // that is shown; nothing: all of them
     std::shared_ptr<const scene::Scene> scene_;
     std::uint32_t samplesOfScene_ = 1;
     image::Development development_;

@@ -140,12 +140,6 @@ std::optional<Change> drawEntry(const Schema& schema, const std::string& name, c
     return change;
 }
 
-std::string nameOf(const Json::Value& value, Json::ArrayIndex index) {
-    const std::string type = value["type"].isString() ? value["type"].asString() : "?";
-    if (!value["name"].isString()) return fmt::format("{} {}", index, type);
-    return fmt::format("{} ({})", value["name"].asString(), type);
-}
-
 std::optional<Change> drawEntries(const Schema& schema, const Json::Value& entries, const std::string& path,
                                   bool opensFirstGrating) {
     std::optional<Change> change;
@@ -155,7 +149,7 @@ std::optional<Change> drawEntries(const Schema& schema, const Json::Value& entri
         const bool isOpen = opensFirstGrating && value["type"] == "grating";
         opensFirstGrating = opensFirstGrating && !isOpen;
         if (auto changed =
-                drawEntry(*schema.items, nameOf(value, i), value, fmt::format("{}.{}", path, i), isOpen))
+                drawEntry(*schema.items, entryName(value, i), value, fmt::format("{}.{}", path, i), isOpen))
             change = changed;
     }
     return change;
@@ -194,6 +188,12 @@ std::optional<Change> drawCamera(const Schema& schema, const Json::Value& camera
 }
 
 }  // namespace
+
+std::string entryName(const Json::Value& value, Json::ArrayIndex index) {
+    const std::string type = value["type"].isString() ? value["type"].asString() : "?";
+    if (!value["name"].isString()) return fmt::format("{} {}", index, type);
+    return fmt::format("{} ({})", value["name"].asString(), type);
+}
 
 bool drawSceneEditor(Document& document) {
     const Schema& schema = scene::sceneSchema();

@@ -2,11 +2,16 @@
 // scene may say can be turned here.
 #pragma once
 
+#include <string>
+
 #include "preview/document.hpp"
 
 namespace fringe::preview {
 
 // Draws the lights, materials, objects and the lens of the camera. True if the document has changed.
 bool drawSceneEditor(Document& document);
+
+// What a light or object goes by: its name and type, or its number and type.
+std::string entryName(const Json::Value& value, Json::ArrayIndex index);
 
 }  // namespace fringe::preview

@@ -9,6 +9,7 @@
 
 #include "image/develop.hpp"
 #include "image/image.hpp"
+#include "preview/switches.hpp"
 #include "scene/parse.hpp"
 
 namespace fringe::preview {
@@ -20,12 +21,18 @@ struct Source {
     std::vector<scene::Override> overrides;
 };
 
-enum class View { color, decades };
+// The last two show one wavelength (Switches::wavelength_nm), in its colour or in grey.
+enum class View { color, decades, wavelength, greyWavelength };
+
+inline bool showsWavelength(View view) {
+    return view == View::wavelength || view == View::greyWavelength;
+}
 
 // How a picture is developed.
 struct Display {
     double exposure = 0.0;  // stops, added to the scene's own
     View view = View::color;
+    image::ToneCurve toneCurve = image::ToneCurve::linear;
 
     bool operator==(const Display&) const = default;
 };
@@ -34,8 +41,9 @@ struct Display {
 struct Wish {
     std::uint64_t number = 0;              // ascending
     std::shared_ptr<const Source> source;  // another pointer is another scene
-    std::uint64_t cameraNumber = 0;        // another number is another camera
-    std::optional<scene::Camera> camera;   // in place of the scene's
+    Switches switches;
+    std::uint64_t cameraNumber = 0;       // another number is another camera
+    std::optional<scene::Camera> camera;  // in place of the scene's
     Display display;
     std::uint32_t samples = 1;  // of every pixel, in the end
     bool isMoving = false;      // the next wish comes soon, and a coarse picture does
@@ -48,7 +56,7 @@ struct Picture {
     bool isComplete = false;                   // in full size, with all samples
     double exposure = 0.0;                     // stops in all: the scene's, the automatic ones and the wish's
     std::vector<std::uint8_t> rgba;            // the fourth does not count
-    std::shared_ptr<const image::Image> film;  // in full size; null while it is coarse
+    std::shared_ptr<const image::Image> film;  // in full size; null while it is coarse, and of one wavelength
     image::Development development;            // what a file of it gets
     std::shared_ptr<const scene::Scene> scene;
     std::shared_ptr<const Source> source;

@@ -169,6 +169,19 @@ TEST_F(Output, AWideColorSpaceKeepsTheColors) {
               0);
 }
 
+TEST_F(Output, AToneCurveChangesThePngAndNotTheExr) {
+    expectDone(render({"-o", "a.png", "-o", "a.exr"}));
+    expectDone(render({"-o", "b.png", "-o", "b.exr", "--tone-curve", "filmic"}));
+    EXPECT_TRUE(
+        contains(valueOf(image::readMetadata(folder_ / "b.png"), "fringe options"), ", tone curve filmic"));
+    const auto compared = [&](const char* a, const char* b) {
+        return run({"compare", a, b, "--tolerance", "0.01"}, {.folder = folder_.path()}).status;
+    };
+    EXPECT_EQ(compared("a.exr", "b.exr"), 0);
+    EXPECT_EQ(compared("a.png", "b.png"), 3);
+    expectRefused(render({"--tone-curve", "s-shaped"}), 1, {"--tone-curve", "reinhard"});
+}
+
 TEST_F(Output, LuminanceIsWrittenAsExr) {
     expectDone(render({"--quantity", "luminance"}));
     const image::Picture luminance = image::readImage(folder_ / "room.exr");

@@ -121,6 +121,53 @@ TEST(DevelopValues, ChannelsKeepTheirOrder) {
     EXPECT_EQ(rgb, (std::array<std::uint8_t, 6>{255, 188, 0, 0, 188, 255}));
 }
 
+// ---- tone curves ----------------------------------------------------------------------------------
+
+TEST(ToneCurves, HaveTheValuesOfTheirFormulas) {
+    EXPECT_EQ(toned(ToneCurve::linear, 3.5), 3.5);
+    EXPECT_DOUBLE_EQ(toned(ToneCurve::reinhard, 1.0), 0.5 * (1.0 + 1.0 / 256.0));
+    EXPECT_DOUBLE_EQ(toned(ToneCurve::reinhard, 4.0), 4.0 * (1.0 + 4.0 / 256.0) / 5.0);
+    EXPECT_DOUBLE_EQ(toned(ToneCurve::filmic, 1.0), 2.54 / 3.16);
+}
+
+TEST(ToneCurves, AscendFromBlackToWhiteWithoutAStep) {
+    for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::filmic}) {
+        EXPECT_EQ(toned(curve, 0.0), 0.0);
+        EXPECT_EQ(toned(curve, std::numeric_limits<double>::infinity()), 1.0);
+        double before = 0.0;
+        for (double luminance = 0.0; luminance < 40.0; luminance += 0.001) {
+            const double here = toned(curve, luminance);
+            EXPECT_GE(here, before);
+            EXPECT_LT(here - before, 0.004);  // no slope of either is above 3
+            before = here;
+        }
+        EXPECT_EQ(before, 1.0);
+    }
+}
+
+// The luminance is the curve's, the chromaticity the film's.
+TEST(ToneCurves, KeepTheChromaticity) {
+    const glm::dvec3 film(3.0, 2.0, 1.0);
+    for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::filmic}) {
+        const DisplayColor color = toned(curve, DisplayColor{film, 2.1});
+        EXPECT_DOUBLE_EQ(color.luminance, toned(curve, 2.1));
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(color.rgb[i] / color.luminance, film[i] / 2.1, 1e-15);
+    }
+    EXPECT_EQ(toned(ToneCurve::reinhard, DisplayColor{glm::dvec3(0.0), 0.0}).luminance, 0.0);
+}
+
+TEST(ToneCurves, KeepApartWhatIsBrighterThanWhite) {
+    const auto codeAt = [](double luminance, ToneCurve curve) {
+        return developed(filmOf(glm::dvec3(luminance)), {.toneCurve = curve})[0];
+    };
+    EXPECT_EQ(codeAt(2.0, ToneCurve::linear), codeAt(4.0, ToneCurve::linear));
+    for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::filmic}) {
+        EXPECT_LT(codeAt(2.0, curve), codeAt(4.0, curve));
+        EXPECT_LT(codeAt(4.0, curve), 255);
+        EXPECT_EQ(codeAt(16.0, curve), 255);
+    }
+}
+
 // ---- gamut mapping ------------------------------------------------------------------------------
 
 const glm::dvec3 kWeights = glm::transpose(xyzFromLinear(ColorSpace::srgb))[1];  // luminance of linear sRGB

@@ -158,7 +158,7 @@ private:
 };
 
 // Places of widgets in the panel, in pixels of the window.
-constexpr int kMoreSlitsX = 198, kMoreSlitsY = 333;  // "+" of the first grating's count
+constexpr int kMoreSlitsX = 198, kMoreSlitsY = 356;  // "+" of the first grating's count
 constexpr int kExposureX = 107, kExposureY = 41;     // the middle of the slider
 
 TEST(WindowOnDevice, AKnobChangesTheSceneWhichCanBeSaved) {

@@ -13,6 +13,18 @@ struct Camera {
     float focusDistance;
 };
 
+// Even cells of space, for scenes with so many gratings that not every point can ask all of them: each cell has a list of
+// those that may reach it (src/compile/grating_grid.hpp). Beyond the grid the outermost cells count.
+struct GratingGrid {
+    vec3 low;
+    vec3 cellsPerMetre;
+    vec3 last;           // the number of the last cell along each axis
+    uint perRow;         // cells
+    uint perLayer;
+    uint places;         // in the tables: for each cell where its list is, from `lists` on
+    uint lists;          // in the tables: how long a list is, then the gratings in their order
+};
+
 // What every invocation reads. How many there are of each thing is in the pipeline constants, or in the length of its
 // storage buffer: lavapipe compiles a shader again for each new value of a uniform that bounds a loop or decides an if.
 // For the same reason nothing that changes from dispatch to dispatch is a uniform or a push constant: the place in the
@@ -29,6 +41,7 @@ struct Frame {
     uint metals;         // where the refractive indices begin in the tables
     uint castingDiscs;   // where the discs that light their surroundings are in the tables: centre, normal, radius, OpticalDisc
     uint discSpectra;    // where the spectra for optical discs begin in the tables (src/compile/discs.hpp)
+    GratingGrid gratingGrid;
     float pixelAngle;    // width of a sample's share of a pixel: this times the distance, plus pixelWidth
     float pixelWidth;
 };
@@ -330,6 +343,7 @@ const uint GROUP_EDGE = 8u;   // a workgroup is GROUP_EDGE x GROUP_EDGE pixels
 // constant address; more go through storage buffers and ordinary loops. On lavapipe a load whose address is no
 // constant is done lane by lane: five rectangles cost five times as much in a storage buffer.
 const uint FEW = 16u;
+const uint FEW_GRATINGS = 32u;   // of all kinds together that are asked one by one, a bit each
 
 struct SceneBlock {
     Frame frame;

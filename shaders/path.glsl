@@ -57,15 +57,45 @@ Arrival fromLight(uint i, uint part, Surface surface, vec3 normal, Material mate
     return Arrival(value, incident.direction, incident.distance, false);
 }
 
-// Which of 32 gratings from `first` on may reach the point, a bit each: they drop out by their hemisphere and band. Thesis
-// gratings come first, then slits, then other openings.
+// Whether every point may ask all gratings, at constant places.
+#define ASKS_ALL_GRATINGS                                                                            \
+    (GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW && OPENING_GRATING_COUNT <= FEW &&            \
+     GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT <= FEW_GRATINGS)
+
+// Entries of the tables, or numbers of gratings where all are asked.
+struct GratingList {
+    uint first;
+    uint end;
+};
+
+// The gratings that may reach a point. Thesis gratings come first, then slits, then other openings.
+GratingList gratingsNear(vec3 position) {
+    if (ASKS_ALL_GRATINGS) return GratingList(0u, GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT);
+    GratingGrid grid = scene.frame.gratingGrid;
+    uvec3 cell = uvec3(clamp((position - grid.low) * grid.cellsPerMetre, vec3(0.0), grid.last));
+    uint list = grid.lists + uint(tables[grid.places + cell.x + cell.y * grid.perRow + cell.z * grid.perLayer]);
+    return GratingList(list + 1u, list + 1u + uint(tables[list]));
+}
+
+uint gratingOf(uint entry) {
+    if (ASKS_ALL_GRATINGS) return entry;
+    return uint(tables[entry]);
+}
+
+bool reachesPoint(uint i, vec3 position) {
+    if (OPENING_GRATING_COUNT > 0u && i >= gratingCount() + slitGratingCount())
+        return reachesOpening(openingGratingAt(i - gratingCount() - slitGratingCount()), position);
+    if (SLIT_GRATING_COUNT > 0u && i >= gratingCount()) return reachesSlits(slitGratingAt(i - gratingCount()), position);
+    return reachesBand(gratingAt(i), position);
+}
+
+// Which of the list's next 32 gratings from `first` on may reach the point, a bit each: they drop out by their hemisphere and
+// band.
 // This loop is cheap and the same for all invocations, the one over the bits is costly and runs as often as the
 // invocation with most bits needs: SIMD drivers execute both sides of an `if`, but leave a loop when all are done.
-uint candidates(uint first, vec3 position) {
+uint candidates(uint first, uint end, vec3 position) {
     uint bits = 0u;
-    if (GRATING_COUNT <= FEW && SLIT_GRATING_COUNT <= FEW && OPENING_GRATING_COUNT <= FEW &&
-        GRATING_COUNT + SLIT_GRATING_COUNT + OPENING_GRATING_COUNT <= 32u) {
-        // All in the first 32, at constant places.
+    if (ASKS_ALL_GRATINGS) {
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
             if (reachesBand(gratingAt(i), position)) bits |= 1u << i;
         }
@@ -76,17 +106,8 @@ uint candidates(uint first, vec3 position) {
             if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + SLIT_GRATING_COUNT + i);
         }
     } else {
-        uint thesis = gratingCount();
-        uint slits = thesis + slitGratingCount();
-        uint last = min(slits + openingGratingCount(), first + 32u);
-        for (uint i = first; i < min(last, thesis); ++i) {
-            if (reachesBand(gratingAt(i), position)) bits |= 1u << (i - first);
-        }
-        for (uint i = max(first, thesis); i < min(last, slits); ++i) {
-            if (reachesSlits(slitGratingAt(i - thesis), position)) bits |= 1u << (i - first);
-        }
-        for (uint i = max(first, slits); i < last; ++i) {
-            if (reachesOpening(openingGratingAt(i - slits), position)) bits |= 1u << (i - first);
+        for (uint entry = first; entry < min(end, first + 32u); ++entry) {
+            if (reachesPoint(gratingOf(entry), position)) bits |= 1u << (entry - first);
         }
     }
     return bits;
@@ -165,10 +186,11 @@ void addDirectLight(Surface surface, vec3 normal, float travelled, Material mate
         sample_.dimension += lightCount();
     }
     if (GRATING_COUNT > 0u || SLIT_GRATING_COUNT > 0u || OPENING_GRATING_COUNT > 0u) {
-        uint count = isTrack ? 0u : gratingCount() + slitGratingCount() + openingGratingCount();   // discs diffract no light of gratings
-        for (uint first = 0u; first < count; first += 32u) {
-            for (uint bits = candidates(first, surface.position); bits != 0u; bits &= bits - 1u) {
-                uint i = first + uint(findLSB(bits));
+        GratingList near = gratingsNear(surface.position);
+        if (isTrack) near.end = near.first;                // discs diffract no light of gratings
+        for (uint first = near.first; first < near.end; first += 32u) {
+            for (uint bits = candidates(first, near.end, surface.position); bits != 0u; bits &= bits - 1u) {
+                uint i = gratingOf(first + uint(findLSB(bits)));
                 add(fromGrating(i, surface, normal, travelled, material, path), surface, normal, travelled, sample_);
             }
         }

@@ -267,7 +267,7 @@ int render(RenderOptions options) {
         } else {
             const compile::CompiledScene compiled = compile::compileScene(scene, measure);
             render::Renderer renderer(*device, compiled, compile::specialise(compiled, scene.camera),
-                                      render::Values::asConstants);
+                                      render::Values::asConstants, compile::litTiles(scene, compiled));
             complete = renderOnDevice(renderer, options.tile, sink, show);
             report.clocks = renderer.clocks();
         }

@@ -5,6 +5,7 @@
 
 #include "compile/compiled_scene.hpp"
 #include "compile/discs.hpp"
+#include "compile/grating_grid.hpp"
 #include "compile/lights.hpp"
 #include "compile/materials.hpp"
 #include "compile/number.hpp"
@@ -157,6 +158,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo
     takeSamplesAtHand(out);
     if (!out.opticalDiscs.empty()) addDiscSpectra(tables, out);
     addCastingDiscs(scene, out);
+    addGratingGrid(scene, out);
     out.ripples = ripplesShow(scene, frame, out.slitGratings);
     return out;
 }

@@ -59,4 +59,7 @@ device::SceneBlock sceneBlock(const CompiledScene& scene);
 // certain that something never shows (shadows, ripples).
 device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera);
 
+// The same features but for gratings.
+device::Specialisation withoutGratings(device::Specialisation constants);
+
 }  // namespace fringe::compile

@@ -109,6 +109,71 @@ device::uint appendCoarse(const std::vector<SpectralSample>& fine, const Spectra
     return static_cast<device::uint>(coarse.size());
 }
 
+// What a grating needs beside its record.
+void addTables(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
+               const EvaluatorChoice& choice, device::SlitGrating& packed, std::vector<float>& values,
+               std::vector<device::ResponseEntry>& responses) {
+    const auto here = [&] { return static_cast<device::uint>(values.size()); };
+    if (!spectrum.density.empty()) {
+        packed.response = count(responses.size());
+        if (choice.wavelengths > 0) {
+            const std::vector<device::ResponseEntry> waves =
+                waveList(lit, spectrum, tables, choice.wavelengths);
+            packed.entries = choice.wavelengths;
+            responses.insert(responses.end(), waves.begin(), waves.end());
+        } else {
+            const auto kept =
+                choice.evaluator == device::ORDERS_EVALUATOR
+                    ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
+                    : slitResponse(lit, spectrum, tables, packed.isWide == 0, choice.stepsPerU);
+            const SlitResponse& response = *kept;
+            packed.zeroEntry = response.zeroEntry;
+            packed.perU = toFloat(response.perU);
+            packed.entries = response.entries;
+            packed.integralUnit = toFloat(response.integralUnit);
+            packed.slopeUnit = toFloat(response.slopeUnit);
+            responses.insert(responses.end(), response.values.begin(), response.values.end());
+        }
+        if (packed.isWide != 0) {
+            std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
+            divideByShares(lit, undeviated);
+            for (SpectralSample& sample : undeviated)
+                sample.power *= orderShare(lit, 0, sample.wavelength_nm);
+            packed.zeroOrder = here();
+            packed.zeroOrderCount = appendCoarse(undeviated, tables, values);
+        }
+    }
+    std::vector<SpectralSample> lines = lineSamples(spectrum);
+    divideByShares(lit, lines);
+    packed.lines = here();
+    packed.lineCount = static_cast<device::uint>(lines.size());
+    appendLines(lines, tables, values);
+    appendShares(lines, lit, packed, values);
+}
+
+void shareTables(const device::SlitGrating& from, device::SlitGrating& to) {
+    to.zeroEntry = from.zeroEntry;
+    to.perU = from.perU;
+    to.entries = from.entries;
+    to.response = from.response;
+    to.integralUnit = from.integralUnit;
+    to.slopeUnit = from.slopeUnit;
+    to.lines = from.lines;
+    to.lineCount = from.lineCount;
+    to.shares = from.shares;
+    to.orderCount = from.orderCount;
+    to.firstOrder = from.firstOrder;
+    to.zeroOrder = from.zeroOrder;
+    to.zeroOrderCount = from.zeroOrderCount;
+}
+
+// Directions count as the same far below the rounding of a float.
+bool isAlike(const LitSlits& a, const LitSlits& b) {
+    constexpr double kSame = 1e-10;
+    return a.slits == b.slits && a.orders == b.orders && std::abs(a.alphaIn - b.alphaIn) < kSame &&
+           std::abs(a.betaIn - b.betaIn) < kSame;
+}
+
 }  // namespace
 
 double leavingShare(const scene::Grating& grating) {
@@ -120,7 +185,8 @@ double leavingShare(const scene::Grating& grating) {
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
                                  double tolerance, std::vector<float>& values,
-                                 std::vector<device::ResponseEntry>& responses) {
+                                 std::vector<device::ResponseEntry>& responses,
+                                 std::vector<KnownSlits>& known) {
     const scene::Beam& beam = grating.beam;
     optics::Slits slits = given;
     if (slits.count == 1) slits.period = slits.width;
@@ -164,40 +230,16 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
     packed.width_um = toFloat(slits.width / um);
     packed.period_um = toFloat(slits.period / um);
 
-    const auto here = [&] { return static_cast<device::uint>(values.size()); };
-    if (!spectrum.density.empty()) {
-        packed.response = count(responses.size());
-        if (choice.wavelengths > 0) {
-            const std::vector<device::ResponseEntry> waves =
-                waveList(lit, spectrum, tables, choice.wavelengths);
-            packed.entries = choice.wavelengths;
-            responses.insert(responses.end(), waves.begin(), waves.end());
-        } else {
-            const auto kept = byOrders ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
-                                       : slitResponse(lit, spectrum, tables, !isWide, choice.stepsPerU);
-            const SlitResponse& response = *kept;
-            packed.zeroEntry = response.zeroEntry;
-            packed.perU = toFloat(response.perU);
-            packed.entries = response.entries;
-            packed.integralUnit = toFloat(response.integralUnit);
-            packed.slopeUnit = toFloat(response.slopeUnit);
-            responses.insert(responses.end(), response.values.begin(), response.values.end());
-        }
-        if (followsUndeviated) {
-            std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
-            divideByShares(lit, undeviated);
-            for (SpectralSample& sample : undeviated)
-                sample.power *= orderShare(lit, 0, sample.wavelength_nm);
-            packed.zeroOrder = here();
-            packed.zeroOrderCount = appendCoarse(undeviated, tables, values);
-        }
+    const auto alike = std::find_if(known.begin(), known.end(), [&](const KnownSlits& other) {
+        return isAlike(other.lit, lit) && other.spectrum == spectrum &&
+               other.packed.evaluator == choice.evaluator && other.wavelengths == choice.wavelengths;
+    });
+    if (alike != known.end()) {
+        shareTables(alike->packed, packed);
+    } else {
+        addTables(lit, spectrum, tables, choice, packed, values, responses);
+        known.push_back({lit, spectrum, choice.wavelengths, packed});
     }
-    std::vector<SpectralSample> lines = lineSamples(spectrum);
-    divideByShares(lit, lines);
-    packed.lines = here();
-    packed.lineCount = static_cast<device::uint>(lines.size());
-    appendLines(lines, tables, values);
-    appendShares(lines, lit, packed, values);
     return packed;
 }
 

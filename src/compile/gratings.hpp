@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compile/interface.hpp"
+#include "compile/slit_response.hpp"
 #include "compile/spectral.hpp"
 #include "scene/scene.hpp"
 
@@ -13,11 +14,20 @@ namespace fringe::compile {
 // through. Orders with efficiencies of their own share what the slits let through, and are not counted here.
 double leavingShare(const scene::Grating& grating);
 
-// Appends to `values` and `responses` what the device reads beside the record; `tables` must know all
-// reflectances. `tolerance`: image.tolerance.
+// Slits whose tables are made already: others like them in the same light share these.
+struct KnownSlits {
+    LitSlits lit;
+    optics::Spectrum spectrum;
+    device::uint wavelengths;  // that a sum over them goes over, or 0
+    device::SlitGrating packed;
+};
+
+// Appends to `values` and `responses` what the device reads beside the record, unless `known` slits have it,
+// and then the slits to these; `tables` must know all reflectances. `tolerance`: image.tolerance.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
                                  double tolerance, std::vector<float>& values,
-                                 std::vector<device::ResponseEntry>& responses);
+                                 std::vector<device::ResponseEntry>& responses,
+                                 std::vector<KnownSlits>& known);
 
 }  // namespace fringe::compile

@@ -21,7 +21,7 @@ using uint = std::uint32_t;
 #include "../../shaders/specialisation.h"
 
 // Scalar block layout has no padding, and neither may these have.
-static_assert(sizeof(Camera) == 76 && sizeof(Frame) == 124);
+static_assert(sizeof(Camera) == 76 && sizeof(GratingGrid) == 52 && sizeof(Frame) == 176);
 static_assert(sizeof(FilmPixel) == 16);
 static_assert(sizeof(Plane) == 28 && sizeof(Rectangle) == 40 && sizeof(Disc) == 36 && sizeof(Sphere) == 20);
 static_assert(sizeof(Box) == 52 && sizeof(Cylinder) == 40 && sizeof(Cone) == 40 && sizeof(Triangle) == 52);

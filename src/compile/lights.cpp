@@ -74,6 +74,7 @@ struct LightCompiler {
     double tolerance;  // of the picture
     SpectralTables& tables;
     CompiledScene& out;
+    std::vector<KnownSlits>& known;
 
     void operator()(const scene::PointLight& l) const {
         device::Light packed{};
@@ -134,7 +135,7 @@ struct LightCompiler {
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
             out.slitGratings.push_back(
-                compileSlits(l, *slits, light.spectrum, tables, tolerance, out.tables, out.responses));
+                compileSlits(l, *slits, light.spectrum, tables, tolerance, out.tables, out.responses, known));
         } else {
             out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, tolerance, out.tables));
         }
@@ -170,8 +171,9 @@ void addGlowingObjects(const scene::Scene& scene, SpectralTables& tables, Compil
 }
 
 void addLights(const scene::Scene& scene, SpectralTables& tables, CompiledScene& out) {
+    std::vector<KnownSlits> known;
     for (const scene::Light& light : scene.lights)
-        std::visit(LightCompiler{light, scene.image.tolerance, tables, out}, light.model);
+        std::visit(LightCompiler{light, scene.image.tolerance, tables, out, known}, light.model);
 }
 
 }  // namespace fringe::compile

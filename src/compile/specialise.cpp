@@ -125,4 +125,15 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
     };
 }
 
+device::Specialisation withoutGratings(device::Specialisation constants) {
+    constants.GRATING_COUNT = constants.SLIT_GRATING_COUNT = constants.OPENING_GRATING_COUNT = 0;
+    constants.HAS_SLIT_LINES = constants.HAS_SLIT_CONTINUUM = constants.HAS_WIDE_GRATINGS = 0;
+    constants.HAS_GAUSSIAN_BEAMS = constants.HAS_ORDER_SHARES = constants.HAS_RIPPLES = 0;
+    constants.HAS_RECTANGULAR_OPENINGS = constants.HAS_CIRCULAR_OPENINGS = constants.HAS_RING_OPENINGS = 0;
+    constants.HAS_POLYGONAL_OPENINGS = constants.HAS_SYMMETRIC_OPENINGS = constants.HAS_MASK_OPENINGS = 0;
+    constants.HAS_LATTICES = constants.HAS_WIDE_SOURCES = constants.SAMPLES_AT_HAND = 0;
+    constants.POLYGON_EDGES = constants.SYMMETRIC_EDGES = 0;
+    return constants;
+}
+
 }  // namespace fringe::compile

@@ -17,6 +17,8 @@ struct Slits {
     std::uint32_t count;
     units::Length width;
     units::Length period;
+
+    bool operator==(const Slits&) const = default;
 };
 
 struct RectangularAperture {

@@ -20,6 +20,8 @@ inline constexpr units::Length kLongestVisible = kLongestVisible_nm * units::nm;
 struct Knot {
     double wavelength_nm;
     double value;
+
+    bool operator==(const Knot&) const = default;
 };
 
 // Linear between its knots, which ascend strictly; 0 outside them.
@@ -30,6 +32,8 @@ struct Line {
     units::Length wavelength;
     double power;         // relative to the other lines and to the area under the density
     units::Length width;  // full width at half maximum; 0 for a line without width
+
+    bool operator==(const Line&) const = default;
 };
 
 // Spectral power: a density per nanometre and any number of lines. `normalised` spectra hold one watt of
@@ -37,6 +41,8 @@ struct Line {
 struct Spectrum {
     Curve density;
     std::vector<Line> lines;
+
+    bool operator==(const Spectrum&) const = default;
 };
 
 struct WeightedSpectrum {

@@ -101,8 +101,9 @@ Prepared prepare(const EvaluatorCase& which, const Setting& setting, double tole
     const compile::SpectralTables tables(compile::Measure::color, 1);
     Prepared made;
     const Clock::time_point start = Clock::now();
-    made.scene.slitGratings.push_back(compile::compileSlits(grating, slits, which.spectrum, tables, tolerance,
-                                                            made.scene.tables, made.scene.responses));
+    std::vector<compile::KnownSlits> known;
+    made.scene.slitGratings.push_back(compile::compileSlits(
+        grating, slits, which.spectrum, tables, tolerance, made.scene.tables, made.scene.responses, known));
     made.buildSeconds = seconds(Clock::now() - start);
     made.scene.frame.reflectanceCount = 1;
     made.choice = compile::chooseEvaluator(grating, slits, 1, tolerance);

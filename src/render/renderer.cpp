@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/constant_block.hpp"
+#include "render/pieces.hpp"
 #include "render/scene_buffer.hpp"
 #include "render/stopwatch.hpp"
 #include "render/tiling.hpp"
@@ -16,12 +17,29 @@ namespace {
 
 constexpr vk::DeviceSize kLargestFilm = 64ULL << 20;  // bytes; a picture beyond it is rendered in bands
 
+// Whether a pipeline without gratings saves more time with so many samples of tiles that no grating lights
+// than it takes to compile (docs/skipping.md). GPUs skip what none of neighbouring invocations needs, and
+// compile for longer.
+bool pays(std::uint64_t unlitSamples, const gpu::Device& device) {
+    constexpr std::uint64_t kFewest = 2'000'000;
+    return unlitSamples >= kFewest && device.description().type == "CPU";
+}
+
 // Rows of film that there is room for: whole workgroups, and no more than the picture needs.
 std::uint32_t rowsOfBand(const gpu::Device& device, const device::Frame& frame) {
     const vk::DeviceSize film = std::min<vk::DeviceSize>(kLargestFilm, device.limits().maxStorageBufferRange);
     const std::uint64_t group = std::uint64_t{frame.filmWidth} * device::GROUP_EDGE;
     const auto groups = static_cast<std::uint32_t>(std::max<std::uint64_t>(Film::pixelsIn(film) / group, 1));
     return std::min(groups * device::GROUP_EDGE, wholeGroups(frame.height));
+}
+
+// Pixels of tiles, and of those that no grating lights.
+std::uint64_t allPixels(const compile::LitTiles& tiles) {
+    return tiles.lit.size() * std::uint64_t{compile::LitTiles::kEdge} * compile::LitTiles::kEdge;
+}
+std::uint64_t unlitPixels(const compile::LitTiles& tiles) {
+    const auto unlit = static_cast<std::uint64_t>(std::count(tiles.lit.begin(), tiles.lit.end(), false));
+    return unlit * compile::LitTiles::kEdge * compile::LitTiles::kEdge;
 }
 
 }  // namespace
@@ -76,16 +94,24 @@ private:
         double spent_ms = 0.0;
         {
             const Stopwatch watch(spent_ms);
-            // Vulkan promises workgroups up to 65535, and so the schema allows that many samples.
-            std::vector<gpu::Groups> firstGroups;
-            for (std::uint32_t i = 0; i < batch; ++i) {
-                firstGroups.push_back({from.x / device::GROUP_EDGE, from.y / device::GROUP_EDGE, from.z + i});
-            }
-            renderer_.kernel_->run(firstGroups, {width / device::GROUP_EDGE, height / device::GROUP_EDGE, 1});
+            const Piece tile{from.x, firstRow_ + from.y, width, height, true};
+            for (const Piece& piece : piecesOf(tile, renderer_.litTiles_)) dispatch(piece, from.z, batch);
         }
         renderer_.clocks_.dispatch += spent_ms;
-        renderer_.clocks_.dispatches += batch;
         return spent_ms;
+    }
+
+    void dispatch(const Piece& piece, std::uint32_t firstSample, std::uint32_t batch) {
+        // Vulkan promises workgroups up to 65535, and so the schema allows that many samples.
+        std::vector<gpu::Groups> firstGroups;
+        for (std::uint32_t i = 0; i < batch; ++i) {
+            firstGroups.push_back(
+                {piece.x / device::GROUP_EDGE, (piece.y - firstRow_) / device::GROUP_EDGE, firstSample + i});
+        }
+        const gpu::Kernel& pipeline =
+            piece.isLit ? renderer_.pipelines_.front() : renderer_.pipelines_.back();
+        pipeline.run(firstGroups, {piece.width / device::GROUP_EDGE, piece.height / device::GROUP_EDGE, 1});
+        renderer_.clocks_.dispatches += batch;
     }
 
     Renderer& renderer_;
@@ -97,11 +123,13 @@ private:
 };
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation, Values values)
-    : Renderer(device, scene, specialiseFor(device, scene, specialisation), values, layOut(scene, device)) {}
+                   const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles)
+    : Renderer(device, scene, specialiseFor(device, scene, specialisation), values, std::move(litTiles),
+               layOut(scene, device)) {}
 
 Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation, Values values, const SceneLayout& layout)
+                   const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles,
+                   const SceneLayout& layout)
     : device_(device),
       frame_(scene.frame),
       samples_(scene.samples),
@@ -114,18 +142,26 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
         texels_ = uploadTexels(device, scene, specialisation);
     }
     const Stopwatch watch(clocks_.compile);
-    std::array<std::uint32_t, device::kSpecialisationCount> constants{};
-    std::memcpy(constants.data(), &specialisation, sizeof specialisation);
-    std::span<const std::uint32_t> shader = embeddedShader(variantFor(scene));
-    std::vector<std::uint32_t> withValues;
-    if (values == Values::asConstants) {
-        withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
-        shader = withValues;
-    }
-    kernel_.emplace(device, shader, bindings(layout, scene_, film_.buffer(), texels_), constants);
-    // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
-    const gpu::Groups corner{0, 0, 0};
-    kernel_->run({&corner, 1}, {1, 1, 1});
+    const auto addPipeline = [&](const Variant& variant, const device::Specialisation& constants) {
+        std::array<std::uint32_t, device::kSpecialisationCount> words{};
+        std::memcpy(words.data(), &constants, sizeof constants);
+        std::span<const std::uint32_t> shader = embeddedShader(variant);
+        std::vector<std::uint32_t> withValues;
+        if (values == Values::asConstants) {
+            withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
+            shader = withValues;
+        }
+        pipelines_.emplace_back(device, shader, bindings(layout, scene_, film_.buffer(), texels_), words);
+        // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
+        const gpu::Groups corner{0, 0, 0};
+        pipelines_.back().run({&corner, 1}, {1, 1, 1});
+    };
+    const std::uint64_t unlit = unlitPixels(litTiles);
+    const bool isDark = litTiles.isKnown() && unlit == allPixels(litTiles);
+    if (!isDark) addPipeline(variantFor(scene), specialisation);
+    if (isDark || pays(unlit * samples_, device))
+        addPipeline(withoutGratings(variantFor(scene)), compile::withoutGratings(specialisation));
+    if (pipelines_.size() == 2) litTiles_ = std::move(litTiles);
 }
 
 bool Renderer::render(const Control& control) {

@@ -7,8 +7,10 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "compile/compiled_scene.hpp"
+#include "compile/lit_tiles.hpp"
 #include "gpu/kernel.hpp"
 #include "image/image.hpp"
 #include "render/film.hpp"
@@ -48,9 +50,10 @@ struct Clocks {
 
 class Renderer {
 public:
-    // Keeps a reference to the device. Throws gpu::DeviceError.
+    // Keeps a reference to the device. Where it pays, tiles that are known not to be lit by gratings get a
+    // pipeline without them; the picture is the same. Throws gpu::DeviceError.
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-             const device::Specialisation& specialisation, Values values);
+             const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles = {});
 
     // The same pixels for every tile size. Returns false if it was cancelled.
     bool render(const Control& control);
@@ -61,7 +64,8 @@ private:
     class Pass;
 
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-             const device::Specialisation& specialisation, Values values, const SceneLayout& layout);
+             const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles,
+             const SceneLayout& layout);
 
     const gpu::Device& device_;
     device::Frame frame_;
@@ -71,7 +75,8 @@ private:
     gpu::Buffer scene_;
     SceneTexels texels_;
     Film film_;
-    std::optional<gpu::Kernel> kernel_;
+    compile::LitTiles litTiles_;          // known only if pipelines_ has two
+    std::vector<gpu::Kernel> pipelines_;  // the scene's; the second one for tiles that gratings do not reach
 };
 
 }  // namespace fringe::render

@@ -28,6 +28,11 @@ Variant variantFor(const compile::CompiledScene& scene) {
     return {scene.inBands, slits, openings, false, false};
 }
 
+Variant withoutGratings(Variant variant) {
+    if (!variant.discs) variant.slits = variant.openings = false;
+    return variant;
+}
+
 std::span<const std::uint32_t> embeddedShader(const Variant& variant) {
     static constexpr std::array<std::span<const std::uint32_t>, 8> kWithoutDiscs{
         render_000, render_001, render_010, render_011, render_100, render_101, render_110, render_111};

@@ -17,6 +17,9 @@ struct Variant {
 
 Variant variantFor(const compile::CompiledScene& scene);
 
+// The one for what of a scene no grating reaches.
+Variant withoutGratings(Variant variant);
+
 // Its SPIR-V, as it was when the library was built.
 std::span<const std::uint32_t> embeddedShader(const Variant& variant);
 

@@ -98,6 +98,8 @@ struct ThesisDisc {
 struct OrderEfficiency {
     int order;
     optics::Curve efficiency;  // over wavelength, covers the visible range
+
+    bool operator==(const OrderEfficiency&) const = default;
 };
 
 // An optical disc or record with a spiral track that diffracts light: a metal under a clear cover, or a black

@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 
+from gratings import gratings_scene
 from spheres import spheres_scene
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -125,6 +126,18 @@ def sphere_ratios(fringe: Fringe, rounds: int) -> dict[str, list[float]]:
     return ratios
 
 
+def missing_gratings_ratios(fringe: Fringe, rounds: int) -> list[float]:
+    """Dispatch of a picture that 1,000 gratings do not light over that of the same room without any."""
+    missing, none = fringe.folder / "missing.json", fringe.folder / "none.json"
+    missing.write_text(json.dumps(gratings_scene(1000)))
+    none.write_text(json.dumps(gratings_scene(0)))
+    ratios = []
+    for _ in range(rounds):
+        pairs = [(fringe.dispatch_ms(missing, 2400), fringe.dispatch_ms(none, 2400)) for _ in range(SHORT_RUNS)]
+        ratios.append(statistics.median(a for a, _ in pairs) / statistics.median(b for _, b in pairs))
+    return ratios
+
+
 def measure(fringe: Fringe, rounds: int) -> list[Result]:
     whole, dispatch, growth, physics = [], [], [], []
     physical = physical_scene(fringe.folder)
@@ -135,6 +148,7 @@ def measure(fringe: Fringe, rounds: int) -> list[Result]:
         dispatch.append(small / fringe.dispatch_ms(EMPTY_SCENE))
         growth.append(fringe.dispatch_ms(SCENE, 4800) / small / (4800 / 600) ** 2)
     spheres = sphere_ratios(fringe, rounds)
+    missing = missing_gratings_ratios(fringe, rounds)
     memory = [fringe.peak_memory_gib(SCENE, 16384)]
     return [
         Result("whole process, figure 24: Fringe / POV-Ray", whole, (0, 0.5)),
@@ -143,6 +157,7 @@ def measure(fringe: Fringe, rounds: int) -> list[Result]:
         Result("dispatch per pixel, figure 24: 4800x4800 / 600x600", growth, (0.85, 1.15)),
         Result("dispatch: 100,000 spheres / 10", spheres["dispatch"], (0, 20)),
         Result("whole render: 100,000 spheres / 10", spheres["total"], (0, 20)),
+        Result("dispatch: 1,000 gratings that light none of it / none", missing, (0, 1.02)),
         Result("peak host memory, figure 24 at 16384x16384", memory, (0, 1.5), "GiB"),
     ]
 

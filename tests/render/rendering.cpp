@@ -31,10 +31,13 @@ scene::Scene sceneFile(const std::string& path) {
 image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline) {
     static const gpu::Device device({.selector = wantedDevice(), .validation = true});
     const std::size_t messagesBefore = device.validationMessages().size();
-    const compile::CompiledScene compiled = compile::compileScene(scene, pipeline.measure);
+    compile::CompiledScene compiled = compile::compileScene(scene, pipeline.measure);
+    pipeline.changeScene(compiled);
     device::Specialisation constants = compile::specialise(compiled, scene.camera);
     pipeline.change(constants);
-    render::Renderer renderer(device, compiled, constants, pipeline.values);
+    render::Renderer renderer(
+        device, compiled, constants, pipeline.values,
+        pipeline.knowsLitTiles ? compile::litTiles(scene, compiled) : compile::LitTiles());
     image::Image picture{scene.image.width, scene.image.height, {}};
     const std::atomic<bool> never{false};
     renderer.render({.cancelled = never,
@@ -44,7 +47,7 @@ image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline)
                              picture.pixels.insert(picture.pixels.end(), band.pixels.begin(),
                                                    band.pixels.end());
                          },
-                     .tile = 0});
+                     .tile = pipeline.tile});
     const auto messages = device.validationMessages();
     for (std::size_t i = messagesBefore; i < messages.size(); ++i)
         ADD_FAILURE() << "validation: " << messages[i];

@@ -18,6 +18,9 @@ struct Pipeline {
     render::Values values = render::Values::asConstants;                 // as `fringe render` has it
     std::function<void(device::Specialisation&)> change = [](auto&) {};  // of the constants
     compile::Measure measure = compile::Measure::color;
+    std::function<void(compile::CompiledScene&)> changeScene = [](auto&) {};
+    bool knowsLitTiles = false;  // as `fringe render` does
+    std::uint32_t tile = 0;
 };
 
 // Any message of the validation layer fails the test that runs.

@@ -82,7 +82,7 @@ float footprint(SlitGrating g, uint profile, float offset, float curvature, floa
     for (float i = 0.5; i < samples; i += 1.0) {
         float direction = (offset + (i / samples - 0.5) * smear) * curvature;
         float bare;
-        if (abs(focused) * half_ * half_ < 1e-4 * wavelength) {
+        if (abs(focused) * half_ * half_ < 5e-3 * wavelength) {   // the quotient below loses digits
             bare = curvature * 4.0 * half_ * half_ / wavelength * slitFactor(2.0 * half_ * direction / wavelength);
         } else {
             float scale = sqrt(2.0 * abs(focused) / wavelength);

@@ -37,7 +37,7 @@ float bandPlace(float wavelength_um) {
     float middle = (wavelength_um - FIRST_BAND_um - LOW_STEP_um * float(LOW_STEPS)) / MIDDLE_STEP_um;
     float high = (middle - float(MIDDLE_STEPS)) * (MIDDLE_STEP_um / HIGH_STEP_um);
     return min(clamp(low, 0.0, float(LOW_STEPS)) + clamp(middle, 0.0, float(MIDDLE_STEPS)) + max(high, 0.0),
-               float(SPECTRAL_BANDS) - 1.001);
+               float(SPECTRAL_BANDS) - 1.00001);
 }
 
 // At one wavelength: linear between the bands' middles.

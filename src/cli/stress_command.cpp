@@ -50,7 +50,8 @@ std::vector<const StressCase*> chosenCases(const std::vector<std::string>& names
 
 std::uint64_t countOf(const StressCase& stressCase, const StressOptions& options) {
     if (options.count > 0) return options.count;
-    return options.full ? stressCase.fullCount : kUsualCount;
+    // What takes long to judge has fewer.
+    return options.full ? stressCase.fullCount : std::min(kUsualCount, stressCase.fullCount / 50);
 }
 
 // What a case is judged by here; nothing where it is only shown.

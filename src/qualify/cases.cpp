@@ -5,7 +5,8 @@ namespace fringe::qualify {
 std::span<const StressCase> stressCases() {
     static const std::vector<StressCase> cases = [] {
         std::vector<StressCase> all;
-        for (const auto family : {patternCases, shapeCases, surfaceCases, samplingCases})
+        for (const auto family :
+             {patternCases, beamCases, orderCases, shapeCases, surfaceCases, samplingCases})
             for (StressCase& stressCase : family()) all.push_back(std::move(stressCase));
         return all;
     }();

@@ -10,6 +10,8 @@
 namespace fringe::qualify {
 
 std::vector<StressCase> patternCases();
+std::vector<StressCase> beamCases();
+std::vector<StressCase> orderCases();
 std::vector<StressCase> shapeCases();
 std::vector<StressCase> surfaceCases();
 std::vector<StressCase> samplingCases();

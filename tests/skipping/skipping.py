@@ -172,7 +172,7 @@ def main() -> int:
                 has = any(values[constant] for constant in constants)
                 wrong = count >= whole if has else count < whole
                 failed = failed or wrong
-                print(f"  {name:<20}{'has' if has else 'lacks':<6} deleted: {count:6}{'  WRONG' if wrong else ''}", flush=True)
+                print(f"  {name:<27}{'has' if has else 'lacks':<6} deleted: {count:6}{'  WRONG' if wrong else ''}", flush=True)
     return CHECK_FAILED if failed else 0
 
 

@@ -33,6 +33,11 @@ GLFWwindow* createWindow(Extent wanted, const std::string& title) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     GLFWwindow* window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window == nullptr) throw WindowError("no window can be opened: " + lastError());
+    // Where the display has a high density it may have become larger than was asked for.
+    Extent opened{};
+    glfwGetWindowSize(window, &opened.width, &opened.height);
+    const Extent room = fitted(opened);
+    if (room != opened) glfwSetWindowSize(window, room.width, room.height);
     return window;
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace fringe::preview {
@@ -62,6 +63,13 @@ Screen Display::screen() const {
         }
     }
     return screen;
+}
+
+void Display::setDensity(int dpi) const {
+    const std::string command =
+        "DISPLAY=" + name_ +
+        " xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: " + std::to_string(dpi) + "'";
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("xprop does not work");
 }
 
 std::string Display::tool(const std::string& arguments) const {

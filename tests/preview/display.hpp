@@ -23,7 +23,8 @@ struct Screen {
 
 class Display {
 public:
-    Display();  // starts Xvfb; throws std::runtime_error
+    // Starts Xvfb. Throws std::runtime_error.
+    Display();
     ~Display();
     Display(const Display&) = delete;
     Display& operator=(const Display&) = delete;
@@ -31,6 +32,9 @@ public:
     const std::string& name() const { return name_; }  // ":99"
 
     Screen screen() const;
+
+    // From now on programs see a display of this many dots per inch of text; 96 is the default.
+    void setDensity(int dpi) const;
 
     // Runs `xdotool ARGUMENTS` and returns what it prints, without the last line's end.
     std::string tool(const std::string& arguments) const;

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <sstream>
 #include <thread>
 
 namespace fringe::preview {
@@ -13,6 +16,11 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 30s;  // many times what anything takes
 constexpr auto kLook = 20ms;
 constexpr auto kStep = 15ms;  // between two motions of the mouse
+
+std::vector<std::string> windowsOn(const Display& display) {
+    std::istringstream numbers(display.tool("search --onlyvisible --name Fringe"));
+    return {std::istream_iterator<std::string>(numbers), {}};
+}
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -29,18 +37,21 @@ bool becomes(const std::function<bool()>& condition) {
     return true;
 }
 
-Session::Session(const cli::Arguments& arguments)
-    : program_(arguments, {.folder = folder_.path(), .environment = {{"DISPLAY", display_.name()}}}) {
+Session::Session(const cli::Arguments& arguments, std::shared_ptr<const Display> display)
+    : display_(std::move(display)),
+      others_(windowsOn(*display_)),
+      program_(arguments, {.folder = folder_.path(), .environment = {{"DISPLAY", display_->name()}}}) {
     const bool isOpen = becomes([&] {
-        window_ = display_.tool("search --onlyvisible --name Fringe");
+        for (const std::string& window : windowsOn(*display_))
+            if (std::find(others_.begin(), others_.end(), window) == others_.end()) window_ = window;
         return !window_.empty();
     });
     EXPECT_TRUE(isOpen) << "no window";
-    display_.tool("windowfocus " + window_);
+    display_->tool("windowfocus " + window_);
 }
 
 std::string Session::title() const {
-    return display_.tool("getwindowname " + window_);
+    return display_->tool("getwindowname " + window_);
 }
 
 bool Session::says(const std::string& text) const {
@@ -52,10 +63,10 @@ Screen Session::picture() const {
         const std::size_t at = geometry.find(name + "=");
         return at == std::string::npos ? 0 : std::stoi(geometry.substr(at + name.size() + 1));
     };
-    display_.tool("mousemove 1279 899");      // its arrow is on the screen as well
+    display_->tool("mousemove 1279 899");     // its arrow is on the screen as well
     std::this_thread::sleep_for(10 * kLook);  // the title is set just before the screen shows the picture
-    const std::string geometry = display_.tool("getwindowgeometry --shell " + window_);
-    const Screen whole = display_.screen();
+    const std::string geometry = display_->tool("getwindowgeometry --shell " + window_);
+    const Screen whole = display_->screen();
     Screen inside{static_cast<std::uint32_t>(number(geometry, "WIDTH")),
                   static_cast<std::uint32_t>(number(geometry, "HEIGHT")),
                   {}};
@@ -67,45 +78,49 @@ Screen Session::picture() const {
 }
 
 void Session::key(const std::string& keys) const {
-    display_.tool("key " + keys);
+    display_->tool(fmt::format("windowfocus {} key {}", window_, keys));
 }
 
 void Session::drag(int fromX, int fromY, int toX, int toY, int button) const {
-    display_.tool(fmt::format("mousemove --window {} {} {}", window_, fromX, fromY));
+    display_->tool(fmt::format("mousemove --window {} {} {}", window_, fromX, fromY));
     std::this_thread::sleep_for(5 * kStep);
-    display_.tool(fmt::format("mousedown {}", button));
+    display_->tool(fmt::format("mousedown {}", button));
     std::this_thread::sleep_for(5 * kStep);
     constexpr int kSteps = 30;
     for (int i = 1; i <= kSteps; ++i) {
-        display_.tool(fmt::format("mousemove --window {} {} {}", window_, fromX + (toX - fromX) * i / kSteps,
-                                  fromY + (toY - fromY) * i / kSteps));
+        display_->tool(fmt::format("mousemove --window {} {} {}", window_, fromX + (toX - fromX) * i / kSteps,
+                                   fromY + (toY - fromY) * i / kSteps));
         std::this_thread::sleep_for(kStep);
     }
-    display_.tool(fmt::format("mouseup {}", button));
+    display_->tool(fmt::format("mouseup {}", button));
     std::this_thread::sleep_for(20 * kStep);  // then it counts as resting
 }
 
 void Session::click(int x, int y) const {
-    display_.tool(fmt::format("mousemove --window {} {} {}", window_, x, y));
+    display_->tool(fmt::format("mousemove --window {} {} {}", window_, x, y));
     std::this_thread::sleep_for(5 * kStep);
-    display_.tool("mousedown 1");
+    display_->tool("mousedown 1");
     std::this_thread::sleep_for(5 * kStep);
-    display_.tool("mouseup 1");
+    display_->tool("mouseup 1");
     std::this_thread::sleep_for(5 * kStep);
+}
+
+void Session::move(int x, int y) const {
+    display_->tool(fmt::format("windowmove {} {} {}", window_, x, y));
 }
 
 void Session::resize(int width, int height) const {
-    display_.tool(fmt::format("windowsize {} {} {}", window_, width, height));
+    display_->tool(fmt::format("windowsize {} {} {}", window_, width, height));
 }
 
 void Session::hide() const {
-    display_.tool("windowunmap " + window_);
+    display_->tool("windowunmap " + window_);
     std::this_thread::sleep_for(10 * kLook);
 }
 
 void Session::show() const {
-    display_.tool("windowmap --sync " + window_);
-    display_.tool("windowfocus " + window_);
+    display_->tool("windowmap --sync " + window_);
+    display_->tool("windowfocus " + window_);
 }
 
 cli::Outcome Session::quit() {

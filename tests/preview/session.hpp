@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/program.hpp"
 #include "preview/display.hpp"
@@ -18,9 +20,10 @@ bool becomes(const std::function<bool()>& condition);
 class Session {
 public:
     // Starts it in a folder of its own, and waits for the window.
-    explicit Session(const cli::Arguments& arguments);
+    explicit Session(const cli::Arguments& arguments,
+                     std::shared_ptr<const Display> display = std::make_shared<const Display>());
 
-    const Display& display() const { return display_; }
+    const Display& display() const { return *display_; }
     const std::filesystem::path& folder() const { return folder_.path(); }
 
     std::string title() const;
@@ -37,6 +40,7 @@ public:
     void key(const std::string& keys) const;                                  // "ctrl+q"
     void drag(int fromX, int fromY, int toX, int toY, int button = 1) const;  // in steps of a few pixels
     void click(int x, int y) const;
+    void move(int x, int y) const;
     void resize(int width, int height) const;
     void hide() const;  // as minimising does
     void show() const;
@@ -45,8 +49,9 @@ public:
     cli::Outcome quit();
 
 private:
-    Display display_;
+    std::shared_ptr<const Display> display_;
     image::TestFolder folder_;
+    std::vector<std::string> others_;  // windows that were there before
     cli::Program program_;
     std::string window_;
 };

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <json/json.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 #include "image/color_space.hpp"
@@ -120,6 +122,41 @@ TEST(WindowOnDevice, SurvivesResizingAndHiding) {
     session.show();
     session.resize(kPanel + 500, 480);
     EXPECT_TRUE(comesToShow(session, before, 0.0));
+    expectDone(session.quit());
+}
+
+TEST(WindowOnDevice, TwoOfThemDoNotDisturbEachOther) {
+    const auto display = std::make_shared<const Display>();
+    // Side by side on the screen.
+    const Arguments small = previewOf(kScene, {"--set", "image.width=280", "--set", "image.height=280"});
+    Session first(small, display);
+    Session second(small, display);
+    second.move(kPanel + 300, 0);
+    ASSERT_TRUE(first.completes());
+    ASSERT_TRUE(second.completes());
+    const Screen home = pictureOf(first);
+    EXPECT_TRUE(comesToShow(second, home, 0.0));
+    second.drag(kPanel + 100, 200, kPanel + 200, 220);
+    EXPECT_TRUE(comesToDiffer(second, home, 0.1));
+    EXPECT_TRUE(comesToShow(first, home, 0.0));
+    expectDone(second.quit());
+    first.key("h");
+    EXPECT_TRUE(comesToShow(first, home, 0.0));
+    expectDone(first.quit());
+}
+
+// Of twice the usual density: the panel takes twice as many pixels, and the window stays within the screen.
+TEST(WindowOnDevice, FollowsTheDensityOfTheDisplay) {
+    const auto display = std::make_shared<const Display>();
+    display->setDensity(192);
+    Session session(previewOf(kScene), display);
+    ASSERT_TRUE(session.completes());
+    const std::array<std::uint8_t, 3> background{28, 28, 28};
+    EXPECT_TRUE(becomes([&] {
+        const Screen window = session.picture();
+        return window.width <= 1280 && window.height <= 900 && window.width > 3 * kPanel &&
+               window.at(2 * kPanel - 10, 5) != background && window.at(2 * kPanel + 10, 5) == background;
+    }));
     expectDone(session.quit());
 }
 

@@ -33,7 +33,8 @@ TEST(StressCases, HaveNamesOfTheirOwn) {
     for (const StressCase& stressCase : stressCases()) {
         EXPECT_TRUE(names.insert(stressCase.name).second) << stressCase.name;
         EXPECT_FALSE(stressCase.reason.empty()) << stressCase.name;
-        EXPECT_GE(stressCase.fullCount, 100'000'000U) << stressCase.name;
+        // A hundred million, fewer where a quadrature judges.
+        EXPECT_GE(stressCase.fullCount, 2'000'000U) << stressCase.name;
     }
 }
 

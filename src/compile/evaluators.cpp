@@ -148,7 +148,7 @@ bool areCoarse(const scene::Grating& grating, const optics::Slits& slits) {
 }
 
 EvaluatorChoice pairs(const Slits& slits) {
-    constexpr device::uint kWaves = 101;
+    constexpr device::uint kWaves = 201;
     constexpr double kCostOfHarmonic = 0.3;  // in look-ups
     return {.evaluator = device::PAIRS_EVALUATOR,
             .wavelengths = kWaves,

@@ -58,8 +58,9 @@ std::string wavelengthText(const Reading& reading);
 // What the curve of closed forms is.
 std::string closedFormText(const ClosedFormProfile& form);
 
-// Of a sample, in lux: its bands by the luminous efficiency at their middles. For a
-// single line between two of them it is off by up to 2 %.
+// Of a sample, in lux: its bands by the luminous efficiency at their middles. 0.3 % too much in daylight; of
+// a single line within 0.3 % from 480 to 600 nm, 2 % too much at 632.8 nm and 9 % at 670 nm; light beyond 700
+// nm counts as if it were there.
 double illuminance_lx(const Report& report, std::size_t sample);
 
 std::string csvText(const Report& report);

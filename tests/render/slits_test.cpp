@@ -170,26 +170,31 @@ INSTANTIATE_TEST_SUITE_P(GivenOrders, SlitsOnDevice,
                                                 false, 24, 1, kBlazed}));
 
 // Few slits of periods so coarse that a room is within the near field of their row: in Young's experiment, at
-// the undeviated light and among the orders. The slits' own patterns are taken to the second order about the
+// the undeviated light and among the orders. Pixels are a fiftieth of a fringe: the device averages over
+// them, which takes (pi/50)^2/6 off, 7e-4. The slits' own patterns are taken to the second order about the
 // row's middle, which is 1.4e-3 for 20 slits whose row is as long as 0.07 of the width of a slit's pattern on
 // the wall.
 INSTANTIATE_TEST_SUITE_P(
     CoarseSlits, SlitsOnDevice,
     ::testing::Values(
-        Case{"Young's two slits", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.003, 2e-4, kTables, false,
+        Case{"Young, undeviated", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.0006, 3e-5, kTables, false,
+             60, 1},
+        Case{"Young, third fringe", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.006, 3e-5, kTables, false,
+             60, 1},
+        Case{"Young on red", slits(2, 100, 250), kBroad, kDaylight, kRed, 0.003, 3e-5, kTables, false, 60, 1},
+        Case{"Young seen in gold", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.003, 3e-5, kTables, true,
              40, 1},
-        Case{"Young's two slits on red", slits(2, 100, 250), kBroad, kDaylight, kRed, 0.003, 2e-4, kTables,
-             false, 40, 1},
-        Case{"Young's two slits seen in gold", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.003, 2e-4,
-             kTables, true, 24, 1},
-        Case{"Young's two slits, laser", slits(2, 100, 250), kBroad, optics::laser(633.0 * nm, {}), kGrey,
-             0.003, 1e-4, kTables, false, 40, 1},
-        Case{"5 slits", slits(5, 20, 60), kBroad, kDaylight, kGrey, 0.01, 4e-4, kTables, false, 50, 1},
-        Case{"20 slits", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0055, 1e-4, 2e-3, false, 80, 1},
-        Case{"20 slits, further out", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.025, 2e-4, 2e-3, false,
-             80, 1},
+        Case{"Young, laser", slits(2, 100, 250), kBroad, optics::laser(633.0 * nm, {}), kGrey, 0.003, 3e-5,
+             kTables, false, 60, 1},
+        Case{"5 slits", slits(5, 20, 60), kBroad, kDaylight, kGrey, 0.009, 3e-5, kTables, false, 80, 1},
+        Case{"20 slits, undeviated", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0, 5e-6, 2e-3, false, 80,
+             1},
+        Case{"20 slits, order 1", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0048, 5e-6, 2e-3, false, 80,
+             1},
+        Case{"20 slits, order 4", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.022, 5e-6, 6e-3, false, 80,
+             1},
         Case{"20 slits, laser", slits(20, 20, 100), kBroad, optics::laser(550.0 * nm, {}), kGrey, 0.0055,
-             1e-4, 2e-3, false, 60, 1}));
+             5e-6, 2e-3, false, 80, 1}));
 
 // A thousand slits cost the reference 0.3 s a point.
 INSTANTIATE_TEST_SUITE_P(ManySlits, SlitsOnDevice,

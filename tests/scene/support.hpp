@@ -9,14 +9,6 @@
 
 #include "scene/parse.hpp"
 
-namespace fringe::optics {
-
-inline bool operator==(const Knot& a, const Knot& b) {
-    return a.wavelength_nm == b.wavelength_nm && a.value == b.value;
-}
-
-}  // namespace fringe::optics
-
 namespace fringe::scene {
 
 // A scene with the materials "grey" and "mirror" and whatever else is given. The objects begin on line 5,

@@ -1,10 +1,7 @@
-// What is said about gratings: power, where the far field begins, how each is computed, and what of them is
-// shown wrongly.
+// What `fringe info` says about a grating: its power, where its far field begins, and how it is computed.
 #pragma once
 
 #include <json/value.h>
-
-#include <string>
 
 #include "scene/scene.hpp"
 
@@ -16,9 +13,5 @@ Json::Value describeGrating(const scene::Grating& grating);
 // {"name", "reason", "wavelengths" of a sum, "estimated_error", "cost_in_look_ups", "bytes"}, for a
 // continuous spectrum; null where the aperture is not slits.
 Json::Value describeEvaluator(const scene::Grating& grating, std::size_t reflectances, double tolerance);
-
-// The scene's warnings: [{"light", "message"}], and as lines on standard error. They change no exit status.
-Json::Value warningsJson(const scene::Scene& scene);
-void printWarnings(const std::string& file, const scene::Scene& scene);
 
 }  // namespace fringe::cli

@@ -28,7 +28,6 @@ int validate(const ValidateOptions& options) {
         Json::Value entry;
         entry["file"] = file;
         entry["problems"] = Json::arrayValue;
-        entry["warnings"] = Json::arrayValue;
         const auto refuse = [&](const std::string& place, const std::string& message) {
             status = kWrongInput;
             Json::Value problem;
@@ -37,12 +36,8 @@ int validate(const ValidateOptions& options) {
             entry["problems"].append(problem);
         };
         try {
-            const scene::Scene scene = parseSource({file, {}, {}}, readTextFile(file));
-            entry["warnings"] = warningsJson(scene);
-            if (!options.json) {
-                fmt::print("{}: valid\n", file);
-                printWarnings(file, scene);
-            }
+            parseSource({file, {}, {}}, readTextFile(file));
+            if (!options.json) fmt::print("{}: valid\n", file);
         } catch (const scene::SceneError& error) {
             for (const auto& problem : error.problems()) refuse(problem.place, problem.message);
             if (!options.json) fmt::print(stderr, "{}\n", error.what());
@@ -138,7 +133,6 @@ Json::Value describe(const scene::Scene& scene) {
     json["objects"] = countsOf(scene);
     json["materials"] = static_cast<Json::UInt>(scene.materials.size());
     json["lights"] = ledgerOf(scene, compiled.frame.reflectanceCount);
-    json["warnings"] = warningsJson(scene);
     json["specialisation"] = constantsOf(compile::specialise(compiled, scene.camera));
     json["device_bytes"]["scene"] = sceneBytes(compiled);
     json["device_bytes"]["whole_film"] =
@@ -190,11 +184,9 @@ void print(const Json::Value& info) {
 }
 
 int showInfo(const InfoOptions& options) {
-    const scene::Scene scene = parseSource(options.source, readTextFile(options.source.file));
-    const Json::Value info = describe(scene);
+    const Json::Value info = describe(parseSource(options.source, readTextFile(options.source.file)));
     if (options.json) printJson(info);
     else print(info);
-    if (!options.json) printWarnings(options.source.file, scene);
     return kDone;
 }
 

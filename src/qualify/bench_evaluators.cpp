@@ -102,8 +102,8 @@ Prepared prepare(const EvaluatorCase& which, const Setting& setting, double tole
     Prepared made;
     const Clock::time_point start = Clock::now();
     std::vector<compile::KnownSlits> known;
-    made.scene.slitGratings.push_back(compile::compileSlits(grating, slits, which.spectrum, tables, tolerance,
-                                                            made.scene.tables, made.scene.responses, known));
+    made.scene.slitGratings.push_back(compile::compileSlits(
+        grating, slits, which.spectrum, tables, tolerance, made.scene.tables, made.scene.responses, known));
     made.buildSeconds = seconds(Clock::now() - start);
     made.scene.frame.reflectanceCount = 1;
     made.choice = compile::chooseEvaluator(grating, slits, 1, tolerance);

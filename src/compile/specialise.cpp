@@ -122,7 +122,6 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::NAIVE_EVALUATOR; }),
         .HAS_PAIRS_EVALUATOR =
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::PAIRS_EVALUATOR; }),
-        .HAS_NEAR_OPENINGS = anyOpening([](const device::OpeningGrating& g) { return g.isNear != 0; }),
     };
 }
 

@@ -1,8 +1,7 @@
-// Light behind openings of any shape by adding up the waves from their area.
+// The far field of openings of any shape by adding up the waves from their area.
 #pragma once
 
 #include <complex>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <variant>
 #include <vector>
@@ -37,22 +36,18 @@ double openArea(const OpeningShape& shape, const scene::Beam& beam);
 double extent(const OpeningShape& shape);
 double cellExtent(const OpeningShape& shape);
 
-// Sums of waves over the area that turn up to `turnsPerMetre` times per metre.
+// Sums of exp(-2 pi i f.r) over the area, for frequencies up to a largest one.
 class Opening {
 public:
     Opening(const OpeningShape& shape, double turnsPerMetre);
 
-    // Of exp(-2 pi i f.r). Square metres.
+    // Square metres.
     std::complex<double> amplitude(const glm::dvec2& turnsPerMetre) const;
-
-    // Of exp(2 pi i turns(r)), for ways of any length, point by point.
-    std::complex<double> sum(const std::function<double(const glm::dvec2&)>& turns) const;
 
 private:
     std::complex<double> maskAmplitude(const optics::MaskAperture& mask, const glm::dvec2& f) const;
 
     OpeningShape shape_;
-    double turnsPerMetre_;
     std::vector<Chord> chords_;
 };
 

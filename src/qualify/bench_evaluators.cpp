@@ -75,7 +75,7 @@ scene::Grating gratingOf(const EvaluatorCase& which, const Setting& setting) {
             .slitDirection = {0, 1, 0},
             .aperture = slits,
             .beam = {.profile = scene::BeamProfile::rectangle,
-                     .width = 1.0 * units::m,
+                     .width = 1.0 * which.count * slits.period,  // no wider: as seen from the far field
                      .height = 1.0 * units::m,
                      .direction = {-which.incoming, 0, -std::sqrt(1.0 - which.incoming * which.incoming)},
                      .power = 1.0 * units::W,
@@ -102,8 +102,8 @@ Prepared prepare(const EvaluatorCase& which, const Setting& setting, double tole
     Prepared made;
     const Clock::time_point start = Clock::now();
     std::vector<compile::KnownSlits> known;
-    made.scene.slitGratings.push_back(compile::compileSlits(
-        grating, slits, which.spectrum, tables, tolerance, made.scene.tables, made.scene.responses, known));
+    made.scene.slitGratings.push_back(compile::compileSlits(grating, slits, which.spectrum, tables, tolerance,
+                                                            made.scene.tables, made.scene.responses, known));
     made.buildSeconds = seconds(Clock::now() - start);
     made.scene.frame.reflectanceCount = 1;
     made.choice = compile::chooseEvaluator(grating, slits, 1, tolerance);

@@ -122,10 +122,9 @@ void addTables(const LitSlits& lit, const optics::Spectrum& spectrum, const Spec
             packed.entries = choice.wavelengths;
             responses.insert(responses.end(), waves.begin(), waves.end());
         } else {
-            const auto kept =
-                choice.evaluator == device::ORDERS_EVALUATOR
-                    ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
-                    : slitResponse(lit, spectrum, tables, packed.isWide == 0, choice.stepsPerU);
+            const auto kept = choice.evaluator == device::ORDERS_EVALUATOR
+                                  ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
+                                  : slitResponse(lit, spectrum, tables, packed.isWide == 0, choice.stepsPerU);
             const SlitResponse& response = *kept;
             packed.zeroEntry = response.zeroEntry;
             packed.perU = toFloat(response.perU);

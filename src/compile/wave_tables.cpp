@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "compile/number.hpp"
@@ -41,8 +42,8 @@ SlitResponse orderResponse(const LitSlits& lit, const optics::Spectrum& spectrum
         }
     }
     // The place of wavelength 0, so many entries before the first.
-    constexpr auto kZero = static_cast<device::uint>(-static_cast<int>(kFirst_um / kStep_um + 0.5));
-    SlitResponse out{kZero, 1.0 / kStep_um, kOrderEntries, 0.0, 0.0, {}};
+    const auto zero = static_cast<device::uint>(-std::lround(kFirst_um / kStep_um));
+    SlitResponse out{zero, 1.0 / kStep_um, kOrderEntries, 0.0, 0.0, {}};
     encode(density, out);
 
     // Behind each table its first moment.

@@ -340,7 +340,7 @@ std::vector<StressCase> beamCases() {
     std::vector<std::string_view> mask{"fx", "fy", "pixel", "-"};
     mask.insert(mask.end(), kMaskStride * kMaskRows, "entry");
     std::vector<std::string_view> response{"u", "width", "zero_entry", "per_u", "first_entry"};
-    response.insert(response.end(), 8 * kEntries, "half_word");
+    response.insert(response.end(), std::size_t{8} * kEntries, "half_word");
     return {
         {"footprint", "footprint of an even beam, beam.glsl", 2e-4,
          "places among 600 of Fresnel's units round to 3e-5 of one, at either edge; at the focus, where the "

@@ -338,9 +338,9 @@ std::vector<StressCase> beamCases() {
         disc{"x", "y", "curvature_x", "curvature_y", "radius", "wavelength", "convergence"},
         order{"order", "wavelength_um", "period_um", "alpha_in", "beta_in", "half", "x", "y", "z", "window"};
     std::vector<std::string_view> mask{"fx", "fy", "pixel", "-"};
-    mask.insert(mask.end(), kMaskStride * kMaskRows, "entry");
+    mask.insert(mask.end(), std::size_t{kMaskStride} * kMaskRows, "entry");
     std::vector<std::string_view> response{"u", "width", "zero_entry", "per_u", "first_entry"};
-    response.insert(response.end(), std::size_t{8} * kEntries, "half_word");
+    response.insert(response.end(), 8 * kEntries, "half_word");
     return {
         {"footprint", "footprint of an even beam, beam.glsl", 2e-4,
          "places among 600 of Fresnel's units round to 3e-5 of one, at either edge; at the focus, where the "

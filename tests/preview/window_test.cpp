@@ -211,8 +211,11 @@ TEST(WindowOnDevice, AKnobChangesTheSceneWhichCanBeSaved) {
     EXPECT_EQ(saved["lights"][1]["aperture"]["count"].asInt(), 2);
     const Screen expected = rendered(session, file.path("scene-edited.json"));
     EXPECT_GT(shareOfDifferent(expected, before), 0.01);
-    session.key("h");  // takes the notice away
-    EXPECT_TRUE(comesToShow(session, expected));
+    // Takes the notice away that the file is written; a slow driver may show that after the first time.
+    session.key("h");
+    const bool isShown = comesToShow(session, expected);
+    if (!isShown) session.key("h");
+    EXPECT_TRUE(isShown || comesToShow(session, expected));
     expectDone(session.quit());
 }
 

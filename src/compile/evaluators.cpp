@@ -116,6 +116,12 @@ device::uint wavesFor(const Slits& slits, double tolerance) {
     return waves;
 }
 
+// Of a list of waves, with a colour for each reflectance.
+std::uint64_t listBytes(const Slits& slits, device::uint waves) {
+    return static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * waves *
+                                      sizeof(device::ResponseEntry));
+}
+
 EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, device::uint evaluator,
                     double tolerance) {
     constexpr double kCostOfWave = 0.35;  // in look-ups
@@ -124,8 +130,7 @@ EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, devi
             .wavelengths = waves,
             .error = sumError(slits, waves),
             .cost = kCostOfWave * waves,
-            .bytes = static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * waves *
-                                                sizeof(device::ResponseEntry)),
+            .bytes = listBytes(slits, waves),
             .reason = fmt::format("a sum over {} wavelengths", waves)};
 }
 
@@ -154,8 +159,7 @@ EvaluatorChoice pairs(const Slits& slits) {
             .wavelengths = kWaves,
             .error = 1e-3,
             .cost = kCostOfHarmonic * kWaves * slits.count,
-            .bytes = static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * kWaves *
-                                                sizeof(device::ResponseEntry)),
+            .bytes = listBytes(slits, kWaves),
             .reason = "coarse slits, pair by pair: a room is within their near field"};
 }
 

@@ -112,11 +112,10 @@ namespace {
 // [reflectance][sum, bands]: one colour each.
 class Accumulator {
 public:
-    explicit Accumulator(std::size_t reflectances) : sums_(reflectances) {}
-
-    void clear() {
+    explicit Accumulator(std::size_t reflectances) : sums_(reflectances) {
         for (auto& bands : sums_) bands.fill(glm::dvec3(0.0));
     }
+
     void add(const Bin& bin, double value) {
         for (std::size_t r = 0; r < sums_.size(); ++r) {
             const glm::dvec3 color = value * bin.colors[r];
@@ -311,9 +310,8 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     // Each entry is one thread's own.
     const auto writeEntry = [&](int entry) {
         const double u = entry / perU;
-        Accumulator sums(reflectances);
         if (lit.orders.empty()) {
-            sums.clear();
+            Accumulator sums(reflectances);
             for (std::size_t i = 0; i < bins.size(); ++i) {
                 const double share = amplitudeGrating(bins[i], u), off = offCentre(bins[i], u);
                 sums.add(bins[i], bins[i].weight * share * (1.0 - std::abs(off)));
@@ -327,7 +325,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             return;
         }
         for (const int side : {1, -1}) {
-            sums.clear();
+            Accumulator sums(reflectances);
             for (const Bin& bin : bins) sums.add(bin, bin.weight * givenOrders(bin, side * u));
             storeAll(side * entry, sums);
         }

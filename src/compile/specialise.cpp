@@ -133,6 +133,8 @@ device::Specialisation withoutGratings(device::Specialisation constants) {
     constants.HAS_POLYGONAL_OPENINGS = constants.HAS_SYMMETRIC_OPENINGS = constants.HAS_MASK_OPENINGS = 0;
     constants.HAS_LATTICES = constants.HAS_WIDE_SOURCES = constants.SAMPLES_AT_HAND = 0;
     constants.POLYGON_EDGES = constants.SYMMETRIC_EDGES = 0;
+    constants.HAS_TABLE_EVALUATOR = constants.HAS_ORDERS_EVALUATOR = constants.HAS_DIRECT_EVALUATOR = 0;
+    constants.HAS_SMALL_ANGLE_EVALUATOR = constants.HAS_NAIVE_EVALUATOR = constants.HAS_PAIRS_EVALUATOR = 0;
     return constants;
 }
 

@@ -250,9 +250,9 @@ void expectProfileRefused(const Arguments& arguments, const std::vector<std::str
 TEST(Profile, RefusesLinesThatAreNone) {
     const Arguments scene{laboratory("sodium.json")};
     expectProfileRefused(scene + line("0.3,0,-1", "0.3,0,-1"), {"same point", "two ends"});
-    expectProfileRefused(
-        scene + line("0.3,0,-0.9", "0.4,0,-1"),
-        {"the beginning of the line, (0.3, 0, -0.9)", "100 mm from the nearest surface, \"wall\"", "(0.3, 0, -1)"});
+    expectProfileRefused(scene + line("0.3,0,-0.9", "0.4,0,-1"),
+                         {"the beginning of the line, (0.3, 0, -0.9)",
+                          "100 mm from the nearest surface, \"wall\"", "(0.3, 0, -1)"});
     expectProfileRefused(scene + line("0.3,0", "0.4,0,-1"), {"--from 0.3,0:", "X,Y,Z"});
     expectProfileRefused(scene + line("0.3,0,-1", "0.4,0,-1,2"), {"--to 0.4,0,-1,2:", "X,Y,Z"});
     expectProfileRefused(scene + line("0.3,0,-1", "nan,0,-1"), {"--to nan,0,-1:"});

@@ -99,7 +99,7 @@ uint candidates(uint first, uint end, vec3 position) {
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
             if (reachesBand(gratingAt(i), position)) bits |= 1u << i;
         }
-        [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
+        [[dont_unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
             if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + i);
         }
         [[unroll]] for (uint i = 0u; i < OPENING_GRATING_COUNT; ++i) {

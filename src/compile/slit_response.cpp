@@ -5,77 +5,15 @@
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
-#include <numbers>
 #include <thread>
 
+#include "compile/order_integrals.hpp"
 #include "compile/slit_bins.hpp"
 #include "compile/table_memo.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 
 namespace fringe::compile {
-namespace {
-
-using std::numbers::pi;
-
-using optics::sincSquared;
-
-double fejer(double count, double t) {
-    const double quotient = optics::arrayFactor(count, t) / count;
-    return quotient * quotient;
-}
-
-// Integral of sinc^2 from 0 on: tabulated, linear between the nodes (error 2e-6), and from kLast on the tail
-// 1/2 - 1/(2 pi^2 x), its ripple left out (2e-6).
-class SincSquaredIntegral {
-public:
-    SincSquaredIntegral() {
-        for (int i = 0; i <= kLast * kPerUnit; ++i)
-            values_.push_back(0.5 * optics::centralShare(1.0 * i / kPerUnit));
-    }
-
-    double operator()(double x) const {
-        const double a = std::abs(x);
-        double value = 0.5 - 0.5 / (pi * pi * std::max(a, 1.0));
-        if (a < kLast) {
-            const double place = a * kPerUnit;
-            const auto i = static_cast<std::size_t>(place);
-            value = values_[i] + (place - static_cast<double>(i)) * (values_[i + 1] - values_[i]);
-        }
-        return std::copysign(value, x);
-    }
-
-private:
-    static constexpr int kLast = 48, kPerUnit = 256;
-    std::vector<double> values_;
-};
-
-const SincSquaredIntegral& sincSquaredIntegral() {
-    static const SincSquaredIntegral integral;
-    return integral;
-}
-
-// Integral of sinc^2(count (t - order)) count over t from t1 to t2, 0 < t1: all orders but 0, or its mean if
-// `zeroOrder`; those further off as their mean.
-double diffractedShare(double count, double t1, double t2, bool zeroOrder) {
-    // Within a part of a fringe, what is in the middle: exact in sum over neighbouring bins.
-    if (count * (t2 - t1) < 0.1) {
-        const double t = 0.5 * (t1 + t2);
-        return (t2 - t1) * count * (fejer(count, t) - (zeroOrder ? 0.0 : sincSquared(count * t)));
-    }
-    const int near = static_cast<int>(std::clamp(50.0 / count, 1.0, 8.0));  // 50 side lobes, or 8 orders
-    const int first = static_cast<int>(std::floor(t1)) - near;
-    const int last = static_cast<int>(std::ceil(t2)) + near;
-    double sum = (t2 - t1) / (pi * pi * count * (near + 0.5));
-    if (zeroOrder && first <= 0) sum += 0.5 * (t2 - t1) / (pi * pi * count * t1 * t2);
-    for (int order = first; order <= last; ++order) {
-        if (order == 0) continue;
-        sum += sincSquaredIntegral()(count * (t2 - order)) - sincSquaredIntegral()(count * (t1 - order));
-    }
-    return sum;
-}
-
-}  // namespace
 
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
                                 const SpectralTables& tables, double step_nm) {
@@ -260,16 +198,18 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     // The undeviated beam is followed by the device as far as this; the rest of it is in the response.
     const double lastLobe = double{device::ZERO_ORDER_LOBES} * 1e-3 * optics::kLongestVisible_nm / extent_um;
 
+    const OrderIntegrals integrals(count);
+
     // Per unit of u, of an amplitude grating; it depends on |u| alone.
     const auto amplitudeGrating = [&](const Bin& bin, double u) {
         const double perTurn = u / bin.wavelength_um;
-        const double oneSlit = sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
-        if (zeroOrder) return oneSlit * count * fejer(count, period_um * perTurn);
+        const double oneSlit = optics::sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
+        if (zeroOrder) return oneSlit * fejerKernel(count, period_um * perTurn);
         const double half_um = 5e-4 * step_nm;
         const double t1 = period_um * u / (bin.wavelength_um + half_um);
         const double t2 = period_um * u / (bin.wavelength_um - half_um);
         if (t2 - t1 < 1e-9) return 0.0;  // at u = 0 nothing but the zero order
-        return oneSlit * diffractedShare(count, t1, t2, u > lastLobe) / (t2 - t1);
+        return oneSlit * integrals.diffracted(t1, t2, u > lastLobe) / (t2 - t1);
     };
     const auto givenOrders = [&](const Bin& bin, double u) {
         double sum = 0.0;
@@ -278,11 +218,11 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         for (std::size_t i = 0; i < lit.orders.size(); ++i) {
             const int order = lit.orders[i].order;
             if (zeroOrder) {
-                sum += bin.orders[i] * count * sincSquared(count * (t - order));
+                sum += bin.orders[i] * count * optics::sincSquared(count * (t - order));
             } else if (order != 0 || std::abs(u) > lastLobe) {
                 sum += bin.orders[i] / width *
-                       (sincSquaredIntegral()(count * (t + 0.5 * width - order)) -
-                        sincSquaredIntegral()(count * (t - 0.5 * width - order)));
+                       (sincSquaredIntegral(count * (t + 0.5 * width - order)) -
+                        sincSquaredIntegral(count * (t - 0.5 * width - order)));
             }
         }
         return sum * period_um / bin.wavelength_um;

@@ -164,9 +164,9 @@ vec3 meanOfWaves(SlitGrating g, uint reflectance, bool isBand, uint band, float 
 // A scene whose gratings all have the same evaluator need not ask for it.
 bool isChosen(uint others, bool isIts) { return others == 0u || isIts; }
 
-// `row`: 0 for the whole spectrum, band + 1 for one band.
+// `row`: 0 for the whole spectrum, band + 1 for one band, if the scene's responses have bands.
 vec3 slitColor(SlitGrating g, uint reflectance, uint row, float u, float width) {
-    uint place = reflectance * (SPECTRAL_BANDS + 1u) + row;
+    uint place = HAS_BAND_RESPONSES != 0u ? reflectance * (SPECTRAL_BANDS + 1u) + row : reflectance;
     if (HAS_DIRECT_EVALUATOR != 0u &&
         isChosen(HAS_TABLE_EVALUATOR + HAS_ORDERS_EVALUATOR, decided(g.evaluator) >= DIRECT_EVALUATOR)) {
         return meanOfWaves(g, reflectance, row > 0u, max(row, 1u) - 1u, u, width);

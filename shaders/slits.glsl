@@ -85,7 +85,7 @@ vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throug
     landing.profile = g.profile;
     landing.halfHeight = g.halfHeight;
     landing.wave = vec2(MIDDLE_WAVE, 0.2);
-    landing.rippled = HAS_RIPPLES != 0u && !isGaussian && !isRound && abs(edge) < EDGE_REACH * fresnelWidth(g, v, LONGEST_WAVE) &&
+    landing.rippled = HAS_RIPPLES != 0u && HAS_BAND_RESPONSES != 0u && !isGaussian && !isRound && abs(edge) < EDGE_REACH * fresnelWidth(g, v, LONGEST_WAVE) &&
                       ripplesIn(v.smear.y, curvature, g.halfHeight, MIDDLE_WAVE) < 0.7;
     landing.inside = !isRound && !landing.rippled && edge > v.smear.y && !isGaussian && g.convergence == 0.0;
 

@@ -42,11 +42,12 @@ struct HalfExtent {
 
 }  // namespace
 
-Json::Value describeEvaluator(const scene::Grating& grating, std::size_t reflectances, double tolerance) {
+Json::Value describeEvaluator(const scene::Grating& grating, const optics::Spectrum& spectrum,
+                              compile::ResponseRows rows, double tolerance) {
     const auto* slits = std::get_if<optics::Slits>(&grating.aperture);
     if (slits == nullptr) return {};
     const compile::EvaluatorChoice choice =
-        compile::chooseEvaluator(grating, *slits, reflectances, tolerance);
+        compile::chooseEvaluator(grating, *slits, spectrum, rows, tolerance);
     Json::Value json;
     json["name"] = compile::nameOf(choice.evaluator);
     json["reason"] = choice.reason;

@@ -3,6 +3,7 @@
 
 #include <json/value.h>
 
+#include "compile/spectral.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::cli {
@@ -12,6 +13,7 @@ Json::Value describeGrating(const scene::Grating& grating);
 
 // {"name", "reason", "wavelengths" of a sum, "estimated_error", "cost_in_look_ups", "bytes"}, for a
 // continuous spectrum; null where the aperture is not slits.
-Json::Value describeEvaluator(const scene::Grating& grating, std::size_t reflectances, double tolerance);
+Json::Value describeEvaluator(const scene::Grating& grating, const optics::Spectrum& spectrum,
+                              compile::ResponseRows rows, double tolerance);
 
 }  // namespace fringe::cli

@@ -83,14 +83,15 @@ Json::Value countsOf(const scene::Scene& scene) {
     return counts;
 }
 
-Json::Value ledgerOf(const scene::Scene& scene, std::size_t reflectances) {
+Json::Value ledgerOf(const scene::Scene& scene, compile::ResponseRows rows) {
     Json::Value ledger(Json::arrayValue);
     for (const scene::Light& light : scene.lights) {
         Json::Value entry(Json::objectValue);
         const auto* grating = std::get_if<scene::Grating>(&light.model);
         if (grating != nullptr) entry = describeGrating(*grating);
         if (grating != nullptr && !light.spectrum.density.empty()) {
-            const Json::Value evaluator = describeEvaluator(*grating, reflectances, scene.image.tolerance);
+            const Json::Value evaluator =
+                describeEvaluator(*grating, light.spectrum, rows, scene.image.tolerance);
             if (!evaluator.isNull()) entry["evaluator"] = evaluator;
         }
         if (std::holds_alternative<scene::ThesisGrating>(light.model)) entry["model"] = "thesis";
@@ -132,7 +133,7 @@ Json::Value describe(const scene::Scene& scene) {
     json["image"]["tolerance"] = scene.image.tolerance;
     json["objects"] = countsOf(scene);
     json["materials"] = static_cast<Json::UInt>(scene.materials.size());
-    json["lights"] = ledgerOf(scene, compiled.frame.reflectanceCount);
+    json["lights"] = ledgerOf(scene, {compiled.frame.reflectanceCount, compiled.bandResponses});
     json["specialisation"] = constantsOf(compile::specialise(compiled, scene.camera));
     json["device_bytes"]["scene"] = sceneBytes(compiled);
     json["device_bytes"]["whole_film"] =

@@ -6,6 +6,7 @@
 #include "compile/compiled_scene.hpp"
 #include "compile/discs.hpp"
 #include "compile/grating_grid.hpp"
+#include "compile/gratings.hpp"
 #include "compile/lights.hpp"
 #include "compile/materials.hpp"
 #include "compile/number.hpp"
@@ -149,6 +150,8 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo
 
     // Reflectances first: what a light needs depends on what it falls on.
     SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1, memo);
+    out.bandResponses = out.inBands || ripplesShow(scene, frame, continuousBeams(scene));
+    if (out.bandResponses) tables.divideResponses();
     addMaterials(scene, tables, out);
     addGlowingObjects(scene, tables, out);
     const device::uint firstLightMaterial = count(out.materials.size());

@@ -40,7 +40,8 @@ struct CompiledScene {
     std::uint32_t castingDiscs = 0;                 // that light their surroundings
     bool discContinuum = false, discLines = false;  // what of spectra discs diffract
     std::vector<device::ResponseEntry> responses;   // of slits to continuous spectra
-    std::vector<float> tables;  // colours, refractive indices, and what gratings need beside their record
+    bool bandResponses = false;  // they are for each band too, not for all bands' sum alone
+    std::vector<float> tables;   // colours, refractive indices, and what gratings need beside their record
 };
 
 // The only place where units become floats. The same for the same scene; a memo only spares time

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compile/wave_tables.hpp"
+#include "optics/color.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -27,11 +28,39 @@ struct Slits {
     bool isWide;
     double conical;   // sine of the angle between the beam and the slits
     double largestU;  // change of the direction cosine
-    double rows;      // of a table: one for each reflectance and band
+    ResponseRows rows;
     bool hasGivenOrders;
+    double missed;  // of the highest value, between two steps of a table of wide slits
 };
 
-Slits slitsOf(const scene::Grating& grating, const optics::Slits& slits, std::size_t reflectances) {
+// Steps of a wide slits' table per micrometre of the period: 0.7 nm in the first order.
+constexpr double kStepsPerPeriod = 1400.0;
+
+// What a table of wide slits in so many steps misses of a spectrum's highest value: with steps of that
+// wavelength in the first order, the largest distance of the recorded spectrum from its chords, of which a
+// quarter was found to remain (docs/benchmarks.md): spectra that are measured in coarse steps have knots, and
+// a chord across one cuts it off.
+double missedBySteps(const optics::Spectrum& spectrum) {
+    constexpr double kRemaining = 0.23;
+    constexpr double kHalf_nm = 0.5e3 / kStepsPerPeriod;
+    constexpr int kCount = 801;  // half nanometres: the tabulated knots are among them
+    const auto recorded = [&](double wavelength_nm) {
+        return optics::valueAt(spectrum.density, wavelength_nm) * optics::colorMatching(wavelength_nm);
+    };
+    double highest = 0.0, missed = 0.0;
+    for (int i = 0; i < kCount; ++i) {
+        const double wavelength_nm = optics::kShortestVisible_nm + 0.5 * i;
+        const glm::dvec3 here = recorded(wavelength_nm);
+        const glm::dvec3 off =
+            glm::abs(here - 0.5 * (recorded(wavelength_nm - kHalf_nm) + recorded(wavelength_nm + kHalf_nm)));
+        highest = std::max({highest, here.x, here.y, here.z});
+        if (i > 0 && i < kCount - 1) missed = std::max({missed, off.x, off.y, off.z});
+    }
+    return highest > 0.0 ? kRemaining * missed / highest : 0.0;
+}
+
+Slits slitsOf(const scene::Grating& grating, const optics::Slits& slits, const optics::Spectrum& spectrum,
+              ResponseRows rows) {
     const double period_um = slits.count > 1 ? slits.period / um : slits.width / um;
     const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
     const double alpha = glm::dot(grating.beam.direction, across);
@@ -43,8 +72,9 @@ Slits slitsOf(const scene::Grating& grating, const optics::Slits& slits, std::si
             .isWide = areWide(slits),
             .conical = conical,
             .largestU = conical + std::abs(alpha),
-            .rows = static_cast<double>(reflectances) * (device::SPECTRAL_BANDS + 1.0),
-            .hasGivenOrders = !grating.efficiencies.empty()};
+            .rows = rows,
+            .hasGivenOrders = !grating.efficiencies.empty(),
+            .missed = missedBySteps(spectrum)};
 }
 
 std::string mebibytes(double bytes) {
@@ -53,16 +83,31 @@ std::string mebibytes(double bytes) {
 
 // ---- tables --------------------------------------------------------------------------------------
 
-// Steps that keep a quarter of the tolerance; the rest is for what is not the table's: the beam's edges, the
-// undeviated light, colours between bands. 113 per micrometre of the whole extent, or 1400 per micrometre of
-// the period without the undeviated order, are for 2.5e-4 of the peak; the error goes as 1/steps^2.
+// Steps that keep a part of the tolerance; the rest is for what is not the table's: the beam's edges, the
+// undeviated light, colours between bands. Of narrow slits the fringes decide: 113 per micrometre of the
+// extent are for 2.5e-4 of the peak, and the error goes as 1/steps^2. Of wide ones it is the spectrum's
+// knots, whose error goes as 1/steps.
 double wantedSteps(const Slits& slits, double tolerance) {
-    const double usual = slits.isWide ? 1400.0 * slits.period_um : 113.0 * slits.extent_um;
-    return std::max(64.0, usual * std::sqrt(1e-3 / tolerance));
+    double steps = 113.0 * slits.extent_um * std::sqrt(1e-3 / tolerance);
+    if (slits.isWide) {
+        // Whole multiples, so that knots at every fifth nanometre coincide with entries, in all orders; fewer
+        // where building them would take seconds.
+        const double usual = kStepsPerPeriod * slits.period_um;
+        const double most = std::clamp(std::floor(65'536.0 / usual), 1.0, 4.0);
+        steps = usual * std::clamp(std::ceil(2.0 * slits.missed / tolerance), 1.0, most);
+    }
+    return std::max(64.0, steps);
+}
+
+double tableError(const Slits& slits, double steps) {
+    if (slits.isWide) return slits.missed * kStepsPerPeriod * slits.period_um / steps;
+    const double usual = 113.0 * slits.extent_um;
+    return 2.5e-4 * usual * usual / (steps * steps);
 }
 
 double tableBytes(const Slits& slits, double steps) {
-    return (2.0 * slits.conical * steps + 3.0) * slits.rows * sizeof(device::ResponseEntry);
+    return (2.0 * slits.conical * steps + 3.0) * static_cast<double>(slits.rows.all()) *
+           sizeof(device::ResponseEntry);
 }
 
 // As fine as the tolerance asks for, or as fits.
@@ -72,7 +117,7 @@ EvaluatorChoice table(const Slits& slits, double tolerance) {
     const double steps = std::min(wanted, most);
     return {.evaluator = device::TABLE_EVALUATOR,
             .stepsPerU = steps,
-            .error = 0.25 * tolerance * (wanted / steps) * (wanted / steps),
+            .error = tableError(slits, steps),
             .cost = 1.0,
             .bytes = static_cast<std::uint64_t>(tableBytes(slits, steps)),
             .reason = "a look-up"};
@@ -87,11 +132,12 @@ EvaluatorChoice orders(const Slits& slits) {
         3.0;  // in look-ups: as many turns of a loop as the neighbour with most needs
     const double perPoint = 0.5 * slits.largestU * slits.period_um *
                             (1.0 / double{device::FIRST_WAVE_um} - 1.0 / double{device::LAST_WAVE_um});
-    return {.evaluator = device::ORDERS_EVALUATOR,
-            .error = 1e-4 + 3.0 / slits.count,
-            .cost = kCostOfOrder * (1.0 + perPoint),
-            .bytes = static_cast<std::uint64_t>(kOrderEntries * slits.rows * sizeof(device::ResponseEntry)),
-            .reason = fmt::format("orders as lines, {:.2g} at a point", 1.0 + perPoint)};
+    return {
+        .evaluator = device::ORDERS_EVALUATOR,
+        .error = 1e-4 + 3.0 / slits.count,
+        .cost = kCostOfOrder * (1.0 + perPoint),
+        .bytes = static_cast<std::uint64_t>(kOrderEntries) * slits.rows.all() * sizeof(device::ResponseEntry),
+        .reason = fmt::format("orders as lines, {:.2g} at a point", 1.0 + perPoint)};
 }
 
 // ---- sums over wavelengths -----------------------------------------------------------------------
@@ -118,8 +164,7 @@ device::uint wavesFor(const Slits& slits, double tolerance) {
 
 // Of a list of waves, with a colour for each reflectance.
 std::uint64_t listBytes(const Slits& slits, device::uint waves) {
-    return static_cast<std::uint64_t>((1.0 + slits.rows / (device::SPECTRAL_BANDS + 1.0)) * waves *
-                                      sizeof(device::ResponseEntry));
+    return (1 + slits.rows.reflectances) * waves * sizeof(device::ResponseEntry);
 }
 
 EvaluatorChoice sum(const Slits& slits, std::optional<std::uint32_t> given, device::uint evaluator,
@@ -169,7 +214,7 @@ EvaluatorChoice cheapest(const Slits& slits, const scene::Grating& grating, doub
     const EvaluatorChoice tabulated = table(slits, tolerance);
     const double wanted = tableBytes(slits, wantedSteps(slits, tolerance));
     std::vector<EvaluatorChoice> candidates;
-    if (wanted <= kMostTableBytes) candidates.push_back(tabulated);
+    if (tabulated.error <= tolerance) candidates.push_back(tabulated);
     if (!slits.hasGivenOrders) {
         for (const EvaluatorChoice& other :
              {orders(slits), sum(slits, grating.wavelengths, device::DIRECT_EVALUATOR, tolerance)})
@@ -177,16 +222,16 @@ EvaluatorChoice cheapest(const Slits& slits, const scene::Grating& grating, doub
     }
     const auto best = std::min_element(candidates.begin(), candidates.end(),
                                        [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    const std::string tooLarge =
-        wanted > kMostTableBytes ? fmt::format("; a table for the tolerance would take {}", mebibytes(wanted))
-                                 : std::string();
-    if (best == candidates.end()) {
-        EvaluatorChoice choice = tabulated;
-        choice.reason += tooLarge + ", and no other way keeps it: this one has the steps that fit";
-        return choice;
+    std::string noTable;
+    if (tabulated.error > tolerance) {
+        noTable = wanted > kMostTableBytes
+                      ? fmt::format("; a table for the tolerance would take {}", mebibytes(wanted))
+                      : "; a table misses more of so sharp a spectrum";
     }
-    EvaluatorChoice choice = *best;
-    choice.reason += tooLarge + ", the cheapest within the tolerance";
+    EvaluatorChoice choice = best == candidates.end() ? tabulated : *best;
+    choice.reason +=
+        noTable + (best == candidates.end() ? ", and no other way keeps it: this one is the nearest"
+                                            : ", the cheapest within the tolerance");
     return choice;
 }
 
@@ -198,8 +243,8 @@ bool areWide(const optics::Slits& slits) {
 }
 
 EvaluatorChoice chooseEvaluator(const scene::Grating& grating, const optics::Slits& given,
-                                std::size_t reflectances, double tolerance) {
-    const Slits slits = slitsOf(grating, given, reflectances);
+                                const optics::Spectrum& spectrum, ResponseRows rows, double tolerance) {
+    const Slits slits = slitsOf(grating, given, spectrum, rows);
     EvaluatorChoice choice{};
     switch (grating.evaluator) {
         case scene::Evaluator::automatic:

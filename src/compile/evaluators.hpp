@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compile/interface.hpp"
+#include "compile/spectral.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
@@ -25,11 +26,10 @@ struct EvaluatorChoice {
     std::string reason;
 };
 
-// For a continuous spectrum; lines are always followed one by one. `reflectances`: how many the device has
-// tables for. What the scene leaves open ("auto") is the cheapest way whose estimated error is within
-// `tolerance`, where one is; the reason says so where none is.
+// For a continuous spectrum; lines are always followed one by one. What the scene leaves open ("auto") is the
+// cheapest way whose estimated error is within `tolerance`, where one is; the reason says so where none is.
 EvaluatorChoice chooseEvaluator(const scene::Grating& grating, const optics::Slits& slits,
-                                std::size_t reflectances, double tolerance);
+                                const optics::Spectrum& spectrum, ResponseRows rows, double tolerance);
 
 // As scene files call it.
 const char* nameOf(device::uint evaluator);

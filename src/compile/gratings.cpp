@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <variant>
 
 #include "compile/evaluators.hpp"
 #include "compile/number.hpp"
@@ -166,6 +167,41 @@ void shareTables(const device::SlitGrating& from, device::SlitGrating& to) {
     to.zeroOrderCount = from.zeroOrderCount;
 }
 
+// A single slit has no period; its width serves.
+optics::Slits withPeriod(optics::Slits slits) {
+    if (slits.count == 1) slits.period = slits.width;
+    return slits;
+}
+
+// Of the beam, across the slits and along them.
+glm::dvec2 incomingCosines(const scene::Grating& grating) {
+    return {glm::dot(grating.beam.direction, glm::cross(grating.slitDirection, grating.normal)),
+            glm::dot(grating.beam.direction, grating.slitDirection)};
+}
+
+// Where slits are, and the shape of their beam: the part of the record that needs no spectrum.
+device::SlitGrating slitBeam(const scene::Grating& grating, const optics::Slits& slits) {
+    const scene::Beam& beam = grating.beam;
+    const glm::dvec2 incoming = incomingCosines(grating);
+    device::SlitGrating packed{};
+    packed.position = glm::vec3(grating.position);
+    packed.across = glm::vec3(glm::cross(grating.slitDirection, grating.normal));
+    packed.along = glm::vec3(grating.slitDirection);
+    packed.normal = glm::vec3(grating.normal);
+    packed.alphaIn = toFloat(incoming.x);
+    packed.betaIn = toFloat(incoming.y);
+    packed.profile = profileOf(beam.profile);
+    packed.halfWidth = toFloat(0.5 * (beam.width / m));
+    packed.halfHeight = toFloat(0.5 * (beam.height / m));
+    packed.halfSlits = toFloat(0.5 * (1.0 * slits.count * slits.period / m));
+    packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
+    packed.angularSize = toFloat(beam.angularSize / rad);
+    packed.count = toFloat(slits.count);
+    packed.width_um = toFloat(slits.width / um);
+    packed.period_um = toFloat(slits.period / um);
+    return packed;
+}
+
 // Directions count as the same far below the rounding of a float.
 bool isAlike(const LitSlits& a, const LitSlits& b) {
     constexpr double kSame = 1e-10;
@@ -181,19 +217,28 @@ double leavingShare(const scene::Grating& grating) {
                                 grating.beam.profile);
 }
 
+std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene) {
+    std::vector<device::SlitGrating> beams;
+    for (const scene::Light& light : scene.lights) {
+        const auto* grating = std::get_if<scene::Grating>(&light.model);
+        if (grating == nullptr || light.spectrum.density.empty()) continue;
+        if (const auto* slits = std::get_if<optics::Slits>(&grating->aperture))
+            beams.push_back(slitBeam(*grating, withPeriod(*slits)));
+    }
+    return beams;
+}
+
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
                                  double tolerance, std::vector<float>& values,
                                  std::vector<device::ResponseEntry>& responses,
                                  std::vector<KnownSlits>& known) {
     const scene::Beam& beam = grating.beam;
-    optics::Slits slits = given;
-    if (slits.count == 1) slits.period = slits.width;
-    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
-    const LitSlits lit{slits, grating.efficiencies, glm::dot(beam.direction, across),
-                       glm::dot(beam.direction, grating.slitDirection)};
-    const Length extent = 1.0 * slits.count * slits.period;
-    const EvaluatorChoice choice = chooseEvaluator(grating, slits, tables.reflectances().size(), tolerance);
+    const optics::Slits slits = withPeriod(given);
+    const glm::dvec2 incoming = incomingCosines(grating);
+    const LitSlits lit{slits, grating.efficiencies, incoming.x, incoming.y};
+    const EvaluatorChoice choice =
+        chooseEvaluator(grating, slits, spectrum, tables.responseRows(), tolerance);
     const bool byOrders = choice.evaluator == device::ORDERS_EVALUATOR;
     const bool byPairs = choice.evaluator == device::PAIRS_EVALUATOR;
     const bool isWide = areWide(slits) && !byPairs;
@@ -208,26 +253,11 @@ device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Sl
             *grating.efficiency / optics::openFraction(slits, beam.width / m, beam.height / m, beam.profile);
     }
 
-    device::SlitGrating packed{};
-    packed.position = glm::vec3(grating.position);
-    packed.across = glm::vec3(across);
-    packed.along = glm::vec3(grating.slitDirection);
-    packed.normal = glm::vec3(grating.normal);
-    packed.alphaIn = toFloat(lit.alphaIn);
-    packed.betaIn = toFloat(lit.betaIn);
-    packed.profile = profileOf(beam.profile);
-    packed.halfWidth = toFloat(0.5 * (beam.width / m));
-    packed.halfHeight = toFloat(0.5 * (beam.height / m));
-    packed.halfSlits = toFloat(0.5 * (extent / m));
-    packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
-    packed.angularSize = toFloat(beam.angularSize / rad);
+    device::SlitGrating packed = slitBeam(grating, slits);
     packed.irradiance = toFloat(irradiance);
     packed.isWide = followsUndeviated ? 1U : 0U;
     packed.linesAreImages = (isWide && slits.count >= kManySlits) || !lit.orders.empty() ? 1U : 0U;
     packed.evaluator = choice.evaluator;
-    packed.count = toFloat(slits.count);
-    packed.width_um = toFloat(slits.width / um);
-    packed.period_um = toFloat(slits.period / um);
 
     const auto alike = std::find_if(known.begin(), known.end(), [&](const KnownSlits& other) {
         return isAlike(other.lit, lit) && other.spectrum == spectrum &&

@@ -22,6 +22,10 @@ struct KnownSlits {
     device::SlitGrating packed;
 };
 
+// The beams of slits in continuous spectra, as far as ripplesShow() (ripples.hpp) needs them: records without
+// tables and evaluators.
+std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene);
+
 // Appends to `values` and `responses` what the device reads beside the record, unless `known` slits have it,
 // and then the slits to these; `tables` must know all reflectances. `tolerance`: image.tolerance.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,

@@ -15,6 +15,22 @@
 
 namespace fringe::compile {
 
+namespace {
+
+// work(i) for i = 0 .. count - 1. Threads take turns, because entries near 0 are quicker.
+template <class Work>
+void inParallel(int count, Work work) {
+    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    std::vector<std::jthread> helpers;
+    const auto share = [&](int thread) {
+        for (int i = thread; i < count; i += threads) work(i);
+    };
+    for (int thread = 1; thread < threads; ++thread) helpers.emplace_back(share, thread);
+    share(0);
+}
+
+}  // namespace
+
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
                                 const SpectralTables& tables, double step_nm) {
     std::vector<Bin> bins;
@@ -31,45 +47,36 @@ std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spe
         bin.share = bandShare(sample.wavelength_nm);
         bins.push_back(std::move(bin));
     }
-    // The propagating share varies slowly but for jumps where an order passes off; each nanometre has its
-    // own.
-    double known_nm = -1.0, share = 1.0;
-    for (Bin& bin : bins) {
-        const double wavelength_nm = std::round(1e3 * bin.wavelength_um);
-        if (wavelength_nm != known_nm) {
-            known_nm = wavelength_nm;
-            share = lit.propagatingShare(wavelength_nm);
-        }
-        bin.weight /= share;
-    }
+    // Thousands of slits take most of a millisecond a wavelength.
+    inParallel(static_cast<int>(bins.size()), [&](int i) {
+        Bin& bin = bins[static_cast<std::size_t>(i)];
+        bin.weight /= lit.propagatingShare(1e3 * bin.wavelength_um);
+    });
     return bins;
 }
 
 namespace {
 
-// [reflectance][sum, bands]: one colour each.
+// One colour for each table.
 class Accumulator {
 public:
-    explicit Accumulator(std::size_t reflectances) : sums_(reflectances) {
-        for (auto& bands : sums_) bands.fill(glm::dvec3(0.0));
-    }
+    explicit Accumulator(ResponseRows rows) : rows_(rows), sums_(rows.all(), glm::dvec3(0.0)) {}
 
     void add(const Bin& bin, double value) {
-        for (std::size_t r = 0; r < sums_.size(); ++r) {
+        for (std::size_t r = 0; r < rows_.reflectances; ++r) {
             const glm::dvec3 color = value * bin.colors[r];
-            sums_[r][bin.share.band] += (1.0 - bin.share.upper) * color;
-            sums_[r][bin.share.band + 1] += bin.share.upper * color;
+            glm::dvec3* ofReflectance = &sums_[r * rows_.perReflectance()];
+            ofReflectance[0] += color;
+            if (!rows_.inBands) continue;
+            ofReflectance[1 + bin.share.band] += (1.0 - bin.share.upper) * color;
+            ofReflectance[2 + bin.share.band] += bin.share.upper * color;
         }
     }
-    glm::dvec3 band(std::size_t reflectance, std::size_t index) const { return sums_[reflectance][index]; }
-    glm::dvec3 total(std::size_t reflectance) const {
-        glm::dvec3 sum(0.0);
-        for (const glm::dvec3& color : sums_[reflectance]) sum += color;
-        return sum;
-    }
+    const std::vector<glm::dvec3>& sums() const { return sums_; }
 
 private:
-    std::vector<std::array<glm::dvec3, device::SPECTRAL_BANDS>> sums_;
+    ResponseRows rows_;
+    std::vector<glm::dvec3> sums_;
 };
 
 constexpr int kLargestSlope = 255;  // nine bits with a sign
@@ -99,18 +106,6 @@ device::uint packedSlopes(glm::dvec3 slopes) {
         packed |= (static_cast<device::uint>(rounded) & 0x1ffU) << (9 * i);
     }
     return packed;
-}
-
-// work(i) for i = 0 .. count - 1. Threads take turns, because entries near 0 are quicker.
-template <class Work>
-void inParallel(int count, Work work) {
-    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<std::jthread> helpers;
-    const auto share = [&](int thread) {
-        for (int i = thread; i < count; i += threads) work(i);
-    };
-    for (int thread = 1; thread < threads; ++thread) helpers.emplace_back(share, thread);
-    share(0);
 }
 
 }  // namespace
@@ -165,6 +160,7 @@ TableMemo::Key keyOf(const LitSlits& lit, const optics::Spectrum& spectrum, cons
     key.add(lit.alphaIn).add(lit.betaIn).add(zeroOrder ? 1.0 : 0.0).add(perU);
     key.add(static_cast<double>(lit.orders.size()));
     for (const scene::OrderEfficiency& order : lit.orders) key.add(order.order).add(order.efficiency);
+    key.add(tables.responseRows().inBands ? 1.0 : 0.0);
     return key.add(spectrum.density).addReflectances(tables);
 }
 
@@ -174,7 +170,6 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     const double width_um = lit.slits.width / units::um;
     const double period_um = lit.slits.period / units::um;
     const double extent_um = (count - 1.0) * period_um + width_um;
-    const std::size_t reflectances = tables.reflectances().size();
     const double conical = std::sqrt(1.0 - lit.betaIn * lit.betaIn);
     const double largestU = conical + std::abs(lit.alphaIn);
 
@@ -187,7 +182,8 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     const auto below = static_cast<int>(std::ceil((conical + lit.alphaIn) * perU)) + 1;
     const auto above = static_cast<int>(std::ceil((conical - lit.alphaIn) * perU)) + 1;
     const auto entries = static_cast<device::uint>(below + above + 1);
-    std::vector<glm::vec3> density(reflectances * (device::SPECTRAL_BANDS + 1) * entries);
+    const ResponseRows rows = tables.responseRows();
+    std::vector<glm::vec3> density(rows.all() * entries);
 
     const auto store = [&](std::size_t table, int signedEntry, glm::dvec3 color) {
         const int entry = signedEntry + below;
@@ -240,18 +236,13 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     };
 
     const auto storeAll = [&](int entry, const Accumulator& sums) {
-        for (std::size_t r = 0; r < reflectances; ++r) {
-            for (std::size_t table = 0; table <= device::SPECTRAL_BANDS; ++table) {
-                store(r * (device::SPECTRAL_BANDS + 1) + table, entry,
-                      table == 0 ? sums.total(r) : sums.band(r, table - 1));
-            }
-        }
+        for (std::size_t table = 0; table < rows.all(); ++table) store(table, entry, sums.sums()[table]);
     };
     // Each entry is one thread's own.
     const auto writeEntry = [&](int entry) {
         const double u = entry / perU;
         if (lit.orders.empty()) {
-            Accumulator sums(reflectances);
+            Accumulator sums(rows);
             for (std::size_t i = 0; i < bins.size(); ++i) {
                 const double share = amplitudeGrating(bins[i], u), off = offCentre(bins[i], u);
                 sums.add(bins[i], bins[i].weight * share * (1.0 - std::abs(off)));
@@ -265,7 +256,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             return;
         }
         for (const int side : {1, -1}) {
-            Accumulator sums(reflectances);
+            Accumulator sums(rows);
             for (const Bin& bin : bins) sums.add(bin, bin.weight * givenOrders(bin, side * u));
             storeAll(side * entry, sums);
         }

@@ -33,9 +33,10 @@ struct SlitResponse {
     device::uint zeroEntry;  // the entry for u = 0
     double perU;             // entries per unit of u
     device::uint entries;
-    double integralUnit;                        // of the entries, in colour times steps
-    double slopeUnit;                           // in colour per step
-    std::vector<device::ResponseEntry> values;  // [reflectance][sum of the bands, then each][entry]
+    double integralUnit;  // of the entries, in colour times steps
+    double slopeUnit;     // in colour per step
+    std::vector<device::ResponseEntry>
+        values;  // [reflectance][sum of the bands, then each if `inBands`][entry]
 };
 
 // `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()). From the memo of

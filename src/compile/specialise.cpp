@@ -122,6 +122,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::NAIVE_EVALUATOR; }),
         .HAS_PAIRS_EVALUATOR =
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::PAIRS_EVALUATOR; }),
+        .HAS_BAND_RESPONSES = compiled.bandResponses && !compiled.slitGratings.empty(),
     };
 }
 
@@ -135,6 +136,7 @@ device::Specialisation withoutGratings(device::Specialisation constants) {
     constants.POLYGON_EDGES = constants.SYMMETRIC_EDGES = 0;
     constants.HAS_TABLE_EVALUATOR = constants.HAS_ORDERS_EVALUATOR = constants.HAS_DIRECT_EVALUATOR = 0;
     constants.HAS_SMALL_ANGLE_EVALUATOR = constants.HAS_NAIVE_EVALUATOR = constants.HAS_PAIRS_EVALUATOR = 0;
+    constants.HAS_BAND_RESPONSES = 0;
     return constants;
 }
 

@@ -100,6 +100,7 @@ BandShare bandShare(double wavelength_nm) {
 SpectralTables::SpectralTables(Measure measure, device::uint bands, TableMemo* memo)
     : measure_(measure),
       bands_(bands),
+      bandResponses_(bands > 1),
       memo_(memo),
       perWatt_(optics::kMaximumLuminousEfficacy / optics::luminousEfficacyOfD65()),
       reflectances_{optics::constantCurve(1.0)} {}

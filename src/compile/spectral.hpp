@@ -43,6 +43,15 @@ struct BandShare {
 };
 BandShare bandShare(double wavelength_nm);
 
+// The tables that slits have for one continuous spectrum.
+struct ResponseRows {
+    std::size_t reflectances = 1;
+    bool inBands = false;  // for each band too, not for their sum alone
+
+    std::size_t perReflectance() const { return inBands ? device::SPECTRAL_BANDS + 1 : 1; }
+    std::size_t all() const { return reflectances * perReflectance(); }
+};
+
 class TableMemo;
 
 class SpectralTables {
@@ -50,6 +59,9 @@ public:
     // `bands`: 1, or SPECTRAL_BANDS where paths carry bands. `memo`: where the tables of gratings are kept
     // from one scene to the next; null: nowhere.
     SpectralTables(Measure measure, device::uint bands, TableMemo* memo = nullptr);
+
+    // Tables of slits are needed for each band too, though paths carry none.
+    void divideResponses() { bandResponses_ = true; }
 
     struct Reflector {
         device::uint row;
@@ -64,6 +76,7 @@ public:
     Measure measure() const { return measure_; }
     device::uint bands() const { return bands_; }
     TableMemo* memo() const { return memo_; }
+    ResponseRows responseRows() const { return {reflectances_.size(), bandResponses_}; }
     const std::vector<optics::Spectrum>& spectra() const { return spectra_; }
     const std::vector<optics::Curve>& reflectances() const { return reflectances_; }
 
@@ -79,6 +92,7 @@ public:
 private:
     Measure measure_;
     device::uint bands_;
+    bool bandResponses_;
     TableMemo* memo_;
     double perWatt_;  // scale of the colour-matching functions
     std::vector<optics::Spectrum> spectra_;

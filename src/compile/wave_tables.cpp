@@ -26,17 +26,18 @@ SlitResponse orderResponse(const LitSlits& lit, const optics::Spectrum& spectrum
     constexpr double kStep_um = kRange_um / (kOrderEntries - 1);
     constexpr auto kLast = static_cast<std::size_t>(kOrderEntries - 1);
     const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, 1e3 * kStep_um);
-    const std::size_t rows = device::SPECTRAL_BANDS + 1;
-    std::vector<glm::vec3> density(tables.reflectances().size() * rows * kOrderEntries);
+    const ResponseRows rows = tables.responseRows();
+    std::vector<glm::vec3> density(rows.all() * kOrderEntries);
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const Bin& bin = bins[i];
         const double perStep = i == 0 || i == kLast ? 2.0 : 1.0;  // the outermost bins are half as wide
         for (std::size_t r = 0; r < bin.colors.size(); ++r) {
             const glm::dvec3 color = perStep * bin.weight / kStep_um * bin.colors[r];
             const auto entry = [&](std::size_t row) -> glm::vec3& {
-                return density[(r * rows + row) * kOrderEntries + i];
+                return density[(r * rows.perReflectance() + row) * kOrderEntries + i];
             };
             entry(0) = color;
+            if (!rows.inBands) continue;
             entry(1 + bin.share.band) = (1.0 - bin.share.upper) * color;
             entry(2 + bin.share.band) = bin.share.upper * color;
         }

@@ -106,7 +106,7 @@ Prepared prepare(const EvaluatorCase& which, const Setting& setting, double tole
                                                             made.scene.tables, made.scene.responses, known));
     made.buildSeconds = seconds(Clock::now() - start);
     made.scene.frame.reflectanceCount = 1;
-    made.choice = compile::chooseEvaluator(grating, slits, 1, tolerance);
+    made.choice = compile::chooseEvaluator(grating, slits, which.spectrum, {}, tolerance);
     return made;
 }
 
@@ -193,6 +193,8 @@ double lastLobe(const EvaluatorCase& which, bool isWide) {
 // Small angles and large ones, orders and their side lobes, 0 itself. What lies where the undeviated light
 // changes hands belongs to neither side.
 std::vector<Window> draw(const EvaluatorCase& which, bool isWide, std::uint64_t seed, std::size_t count) {
+    // Where Z, Y and X of daylight are largest in the first order: errors are shares of the brightest place.
+    constexpr std::array kBrightest_um{0.45, 0.555, 0.6};
     const double border = lastLobe(which, isWide);
     const double clear = 2.0 * kWindow + 2.0 / std::max(64.0, 450.0 * which.period_um);
     std::vector<Window> windows;
@@ -202,6 +204,8 @@ std::vector<Window> draw(const EvaluatorCase& which, bool isWide, std::uint64_t 
         double u = draw.between(low, high);
         if (number == 0) {
             u = 0.0;
+        } else if (number <= kBrightest_um.size()) {
+            u = std::copysign(kBrightest_um[number - 1] / which.period_um, -which.incoming);
         } else if (draw.oneIn(4)) {
             u = draw.sign() * draw.magnitude(1e-6, which.largestSine);
         } else if (draw.oneIn(4)) {
@@ -406,11 +410,16 @@ private:
     Truth truth() const {
         const compile::LitSlits lit{
             {which_.count, which_.width_um * um, which_.period_um * um}, {}, which_.incoming, 0.0};
-        std::array<double, 401> shares{};
-        for (std::size_t i = 0; i < shares.size(); ++i)
-            shares[i] = lit.propagatingShare(oracle::kFirst_nm + static_cast<double>(i));
+        // Tenths of a nanometre: it jumps where an order passes off.
+        constexpr double kPerNanometre = 10.0;
+        std::array<double, 4001> shares{};
+        onThreads(shares.size(), [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                shares[i] = lit.propagatingShare(oracle::kFirst_nm + static_cast<double>(i) / kPerNanometre);
+        });
         const auto shareAt = [&](double wavelength_nm) {
-            return shares.at(static_cast<std::size_t>(std::lround(wavelength_nm - oracle::kFirst_nm)));
+            return shares.at(
+                static_cast<std::size_t>(std::lround(kPerNanometre * (wavelength_nm - oracle::kFirst_nm))));
         };
         const oracle::SlitColor color({1.0 * which_.count, which_.width_um, which_.period_um, which_.spectrum,
                                        shareAt, lastLobe(which_, isWide_)});

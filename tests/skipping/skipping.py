@@ -37,6 +37,7 @@ FEATURES = {
     "evaluation by orders": (["HAS_ORDERS_EVALUATOR"], []),
     "small-angle approximation": (["HAS_SMALL_ANGLE_EVALUATOR"], []),
     "sums as printed": (["HAS_NAIVE_EVALUATOR"], []),
+    "responses in bands": (["HAS_BAND_RESPONSES"], []),
     "coarse slits": (["HAS_PAIRS_EVALUATOR"], []),
     "depth of field": (["HAS_LENS"], []),
     "0/0 as printed": (["HAS_PRINTED_FAULTS"], []),

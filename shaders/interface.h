@@ -297,11 +297,12 @@ struct OpeningGrating {
     uint edgeCount;      // of a polygon, or of its half
     float extent_um;     // diameter of a polygon
     uint isLattice;
+    uint isNear;         // 1: a surface that it lights lies in its near field (shaders/near_openings.glsl)
     vec4 first_um;       // from cell to cell: (x, y) rounded, and what that leaves out
     vec4 second_um;
     vec2 counts;         // of cells
     float wavenumberStep;  // of the continuous spectrum, per um
-    float sourceBlur;    // direction cosine between neighbouring points of the source; 0 for one point
+    float sourceBlur;    // direction cosine between neighbouring points of the source, or its size if it is one; 0 for no size
     uint samples;        // in the tables: wavenumber in 1/um and the source's direction; then, for each reflectance, XYZ
     uint sampleCount;
 };

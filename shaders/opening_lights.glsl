@@ -1,5 +1,5 @@
-// Light from a small opening of any shape, at any distance where its far field holds (docs/theory.md, "Openings"): the
-// radiant intensity is power * gamma * |A|^2 / (wavelength^2 * area * share), and falls off with the squared distance.
+// Light from an opening of any shape in its far field, of rectangles and round ones at any distance (docs/theory.md,
+// "Openings"): the radiant intensity is power * gamma * |A|^2 / (wavelength^2 * area * share), and falls off with the squared distance.
 // A spectrum is a list of wavenumbers whose colours hold all but the pattern (src/compile/openings.hpp).
 
 vec2 apertureVertex(uint first, uint index) { return vec2(tables[first + 2u * index], tables[first + 2u * index + 1u]); }
@@ -15,6 +15,8 @@ struct OpeningView {
     float geometry;      // 1 / m^2: obliquity, the receiver's cosine, inverse square
     float nearness;      // 1 / distance
 };
+
+#include "near_openings.glsl"
 
 bool reachesOpening(OpeningGrating g, vec3 position) { return dot(position - g.position, g.normal) > 0.0; }
 
@@ -172,6 +174,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     bool isLattice = HAS_LATTICES != 0u && decided(g.isLattice) != 0u;
     Lattice lattice;
     if (HAS_LATTICES != 0u) lattice = latticeOf(g, v);
+    NearView near;
+    if (HAS_NEAR_OPENINGS != 0u) near = nearView(g, v);
     vec3 sum = vec3(0.0);
     if (SAMPLES_AT_HAND != 0u) {
         [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
@@ -188,7 +192,12 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         float wavenumber = tables[at];
         vec2 shift = vec2(0.0);
         if (HAS_WIDE_SOURCES != 0u) shift = vec2(tables[at + 1u], tables[at + 2u]);
-        float pattern = openingPattern(g, opening, outline, contrast, v.uv - shift, wavenumber);
+        float pattern;
+        bool isNear = false;
+        if (HAS_NEAR_OPENINGS != 0u && opening <= RING_OPENING && decided(g.isNear) != 0u) {
+            isNear = nearPattern(g, opening, near, contrast, v.uv - shift, wavenumber, pattern);
+        }
+        if (!isNear) pattern = openingPattern(g, opening, outline, contrast, v.uv - shift, wavenumber);
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);
     }

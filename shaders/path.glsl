@@ -125,6 +125,7 @@ Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Mater
         vec3 offset = surface.position - grating.position;
         arrival.value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
         from = grating.position;
+        if (HAS_NEAR_OPENINGS != 0u && decided(grating.isNear) != 0u) from += nearFoot(grating, offset);
     } else if (SLIT_GRATING_COUNT > 0u && i >= gratingCount()) {
         SlitGrating grating = slitGratingAt(i - gratingCount());
         vec3 offset = surface.position - grating.position;

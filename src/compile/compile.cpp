@@ -92,7 +92,7 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
 void takeSamplesAtHand(CompiledScene& out) {
     if (out.openingGratings.size() != 1 || out.frame.reflectanceCount != 1) return;
     const device::OpeningGrating& grating = out.openingGratings.front();
-    if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F) return;
+    if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F || grating.isNear != 0) return;
     for (device::uint i = 0; i < grating.sampleCount; ++i) {
         const float* color = &out.tables[grating.samples + 3 * grating.sampleCount + 3 * i];
         out.openingSamples.push_back({out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});

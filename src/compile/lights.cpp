@@ -6,6 +6,7 @@
 
 #include "compile/gratings.hpp"
 #include "compile/materials.hpp"
+#include "compile/near_field.hpp"
 #include "compile/number.hpp"
 #include "compile/openings.hpp"
 
@@ -70,8 +71,8 @@ void addEmitter(EmitterGeometry emitter, double radiance, device::uint spectrum,
 }
 
 struct LightCompiler {
+    const scene::Scene& scene;
     const scene::Light& light;
-    double tolerance;  // of the picture
     SpectralTables& tables;
     CompiledScene& out;
     std::vector<KnownSlits>& known;
@@ -135,9 +136,11 @@ struct LightCompiler {
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
             out.slitGratings.push_back(
-                compileSlits(l, *slits, light.spectrum, tables, tolerance, out.tables, out.responses, known));
+                compileSlits(l, *slits, light.spectrum, tables, scene.image.tolerance,
+                             out.tables, out.responses, known));
         } else {
-            out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, tolerance, out.tables));
+            out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, scene.image.tolerance,
+                                                         nearestField(scene, l).fresnelNumber, out.tables));
         }
     }
 
@@ -173,7 +176,7 @@ void addGlowingObjects(const scene::Scene& scene, SpectralTables& tables, Compil
 void addLights(const scene::Scene& scene, SpectralTables& tables, CompiledScene& out) {
     std::vector<KnownSlits> known;
     for (const scene::Light& light : scene.lights)
-        std::visit(LightCompiler{light, scene.image.tolerance, tables, out, known}, light.model);
+        std::visit(LightCompiler{scene, light, tables, out, known}, light.model);
 }
 
 }  // namespace fringe::compile

@@ -17,9 +17,9 @@ std::vector<float> maskTable(const optics::MaskSpectrum& spectrum);
 // Appends to `values` what the device reads beside the record: its spectrum as a list of wavenumbers and
 // colours, which hold all of  power response(l) |A(0)|^2 / (l^2 area share(l))  so that the device multiplies
 // by the relative pattern and by geometry alone; a polygon's vertices; a mask's spectrum. `tables` must know
-// all reflectances. Precondition: the aperture is no slits.
+// all reflectances. `fresnelNumber`: the largest (near_field.hpp). Precondition: the aperture is no slits.
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
-                                      const SpectralTables& tables, double tolerance,
+                                      const SpectralTables& tables, double tolerance, double fresnelNumber,
                                       std::vector<float>& values);
 
 }  // namespace fringe::compile

@@ -123,6 +123,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_PAIRS_EVALUATOR =
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::PAIRS_EVALUATOR; }),
         .HAS_BAND_RESPONSES = compiled.bandResponses && !compiled.slitGratings.empty(),
+        .HAS_NEAR_OPENINGS = anyOpening([](const device::OpeningGrating& g) { return g.isNear != 0; }),
     };
 }
 

@@ -176,7 +176,39 @@ double extent(const OpeningShape& shape) {
 }
 
 Opening::Opening(const OpeningShape& shape, double turnsPerMetre)
-    : shape_(shape), chords_(chords(shape, turnsPerMetre)) {}
+    : shape_(shape), turnsPerMetre_(turnsPerMetre), chords_(chords(shape, turnsPerMetre)) {}
+
+Complex Opening::sum(const std::function<double(const dvec2&)>& turns) const {
+    Complex sum = 0.0;
+    const auto add = [&](const dvec2& at, double weight) {
+        sum += weight * std::polar(1.0, 2.0 * pi * turns(at));
+    };
+    if (const auto* mask = std::get_if<optics::MaskAperture>(&shape_)) {
+        const double half = 0.5 * mask->pixel.si;
+        for (std::uint32_t row = 0; row < mask->rows; ++row) {
+            for (std::uint32_t column = 0; column < mask->columns; ++column) {
+                const double amplitude = mask->transmission[std::size_t{row} * mask->columns + column];
+                if (amplitude == 0.0) continue;
+                const dvec2 middle = pixelMiddle(*mask, column, row);
+                forNodes(-half, half, 1, [&](double x, double xWeight) {
+                    forNodes(-half, half, 1, [&](double y, double yWeight) {
+                        add(middle + dvec2(x, y), amplitude * xWeight * yWeight);
+                    });
+                });
+            }
+        }
+        return sum;
+    }
+    for (const dvec2& middle : places(shape_)) {
+        for (const auto& [x, low, high, weight] : chords_) {
+            forNodes(low, high, panels(high - low, turnsPerMetre_),
+                     [&, x = x, weight = weight](double y, double yWeight) {
+                         add(middle + dvec2(x, y), weight * yWeight);
+                     });
+        }
+    }
+    return sum;
+}
 
 Complex Opening::amplitude(const dvec2& f) const {
     if (const auto* mask = std::get_if<optics::MaskAperture>(&shape_)) return maskAmplitude(*mask, f);

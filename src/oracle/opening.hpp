@@ -1,7 +1,8 @@
-// The far field of openings of any shape by adding up the waves from their area.
+// Light behind openings of any shape by adding up the waves from their area.
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <variant>
 #include <vector>
@@ -36,18 +37,22 @@ double openArea(const OpeningShape& shape, const scene::Beam& beam);
 double extent(const OpeningShape& shape);
 double cellExtent(const OpeningShape& shape);
 
-// Sums of exp(-2 pi i f.r) over the area, for frequencies up to a largest one.
+// Sums of waves over the area that turn up to `turnsPerMetre` times per metre.
 class Opening {
 public:
     Opening(const OpeningShape& shape, double turnsPerMetre);
 
-    // Square metres.
+    // Of exp(-2 pi i f.r). Square metres.
     std::complex<double> amplitude(const glm::dvec2& turnsPerMetre) const;
+
+    // Of exp(2 pi i turns(r)), for ways of any length, point by point.
+    std::complex<double> sum(const std::function<double(const glm::dvec2&)>& turns) const;
 
 private:
     std::complex<double> maskAmplitude(const optics::MaskAperture& mask, const glm::dvec2& f) const;
 
     OpeningShape shape_;
+    double turnsPerMetre_;
     std::vector<Chord> chords_;
 };
 

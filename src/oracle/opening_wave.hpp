@@ -1,4 +1,4 @@
-// Light behind a small opening, far away from it (docs/theory.md): the same interface as SlitWave has.
+// Light behind an opening (docs/theory.md): the same interface as SlitWave has.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -18,6 +18,8 @@ public:
         std::optional<Opening> opening;  // nothing where no light gets
         glm::dvec2 turn;                 // change of the direction cosines
         double geometry;                 // 1 / m^2: obliquity, cosine and inverse square
+        glm::dvec3 offset;
+        glm::dvec3 incident;  // the way the beam's axis goes
     };
     View view(const glm::dvec3& offset, const glm::dvec3& normal, const glm::dvec2& incident) const;
 
@@ -31,7 +33,12 @@ public:
     glm::dvec2 extent() const;
 
 private:
+    // Turns of the way past r less that past the middle.
+    double turns(const View& view, const glm::dvec2& r, double wavelength) const;
+    double curvature(const View& view) const;
+
     OpeningShape shape_;
+    std::optional<double> focus_;  // metres
     double area_;
     double extent_;
     double power_;  // that passes, of one watt

@@ -1,5 +1,7 @@
 #include "cli/grating_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -7,14 +9,15 @@
 
 #include "compile/evaluators.hpp"
 #include "compile/gratings.hpp"
+#include "compile/near_field.hpp"
+#include "compile/warnings.hpp"
 
 namespace fringe::cli {
 namespace {
 
 using glm::dvec2;
 
-constexpr double kWavelength = 550e-9;  // m, the middle of the visible range
-constexpr double kDistance = 1.0;       // m
+constexpr double kDistance = 1.0;  // m
 
 // Half of what an aperture covers across the slits and along them, in metres.
 struct HalfExtent {
@@ -62,7 +65,7 @@ Json::Value describeGrating(const scene::Grating& grating) {
     const scene::Beam& beam = grating.beam;
     const dvec2 beamSize(beam.width / units::m, beam.height / units::m);
     const dvec2 half = glm::min(std::visit(HalfExtent{}, grating.aperture), 0.5 * beamSize);
-    const dvec2 fresnel = half * half / (kWavelength * kDistance);
+    const dvec2 fresnel = half * half / (compile::kFresnelWavelength * kDistance);
 
     Json::Value json;
     json["model"] = "physical";
@@ -71,6 +74,22 @@ Json::Value describeGrating(const scene::Grating& grating) {
     json["fresnel_number_at_1_m"]["across"] = fresnel.x;
     json["fresnel_number_at_1_m"]["along"] = fresnel.y;
     return json;
+}
+
+Json::Value warningsJson(const scene::Scene& scene) {
+    Json::Value json(Json::arrayValue);
+    for (const auto& [light, message] : compile::warningsOf(scene)) {
+        Json::Value warning;
+        warning["light"] = light;
+        warning["message"] = message;
+        json.append(warning);
+    }
+    return json;
+}
+
+void printWarnings(const std::string& file, const scene::Scene& scene) {
+    for (const auto& [light, message] : compile::warningsOf(scene))
+        fmt::print(stderr, "{}: warning: {}: {}\n", file, light, message);
 }
 
 }  // namespace fringe::cli

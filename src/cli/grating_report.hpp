@@ -1,7 +1,10 @@
-// What `fringe info` says about a grating: its power, where its far field begins, and how it is computed.
+// What is said about gratings: power, where the far field begins, how each is computed, and what of them is
+// shown wrongly.
 #pragma once
 
 #include <json/value.h>
+
+#include <string>
 
 #include "compile/spectral.hpp"
 #include "scene/scene.hpp"
@@ -15,5 +18,9 @@ Json::Value describeGrating(const scene::Grating& grating);
 // continuous spectrum; null where the aperture is not slits.
 Json::Value describeEvaluator(const scene::Grating& grating, const optics::Spectrum& spectrum,
                               compile::ResponseRows rows, double tolerance);
+
+// The scene's warnings: [{"light", "message"}], and as lines on standard error. They change no exit status.
+Json::Value warningsJson(const scene::Scene& scene);
+void printWarnings(const std::string& file, const scene::Scene& scene);
 
 }  // namespace fringe::cli

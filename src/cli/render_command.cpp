@@ -12,6 +12,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/device_choice.hpp"
+#include "cli/grating_report.hpp"
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
@@ -57,6 +58,7 @@ struct Report {
     render::Clocks clocks;
     double write_ms = 0.0;
     double total_ms = 0.0;
+    Json::Value warnings = Json::arrayValue;  // of what the device shows wrongly
 };
 
 // ---- metadata -----------------------------------------------------------------------------------
@@ -173,6 +175,7 @@ Json::Value toJson(const Report& report, const RenderOptions& options, const sce
     clocks["total"] = report.total_ms;
     json["dispatches"] = Json::UInt64{report.clocks.dispatches};
     json["peak_rss_mib"] = peakMemory_MiB();
+    json["warnings"] = report.warnings;
     return json;
 }
 
@@ -227,6 +230,8 @@ int render(RenderOptions options) {
     scene::Scene scene = parseSource(options.source, text);
     applyTo(scene.image, options.picture);
     report.parse_ms = millisecondsSince(start);
+    if (!options.reference) report.warnings = warningsJson(scene);
+    if (!options.reference && !options.quiet) printWarnings(options.source.file, scene);
 
     // A wrong path is known before anything is started for it.
     for (const std::string& path : options.outputs) image::requireWritable(path);

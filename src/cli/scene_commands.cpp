@@ -28,6 +28,7 @@ int validate(const ValidateOptions& options) {
         Json::Value entry;
         entry["file"] = file;
         entry["problems"] = Json::arrayValue;
+        entry["warnings"] = Json::arrayValue;
         const auto refuse = [&](const std::string& place, const std::string& message) {
             status = kWrongInput;
             Json::Value problem;
@@ -36,8 +37,12 @@ int validate(const ValidateOptions& options) {
             entry["problems"].append(problem);
         };
         try {
-            parseSource({file, {}, {}}, readTextFile(file));
-            if (!options.json) fmt::print("{}: valid\n", file);
+            const scene::Scene scene = parseSource({file, {}, {}}, readTextFile(file));
+            entry["warnings"] = warningsJson(scene);
+            if (!options.json) {
+                fmt::print("{}: valid\n", file);
+                printWarnings(file, scene);
+            }
         } catch (const scene::SceneError& error) {
             for (const auto& problem : error.problems()) refuse(problem.place, problem.message);
             if (!options.json) fmt::print(stderr, "{}\n", error.what());
@@ -134,6 +139,7 @@ Json::Value describe(const scene::Scene& scene) {
     json["objects"] = countsOf(scene);
     json["materials"] = static_cast<Json::UInt>(scene.materials.size());
     json["lights"] = ledgerOf(scene, {compiled.frame.reflectanceCount, compiled.bandResponses});
+    json["warnings"] = warningsJson(scene);
     json["specialisation"] = constantsOf(compile::specialise(compiled, scene.camera));
     json["device_bytes"]["scene"] = sceneBytes(compiled);
     json["device_bytes"]["whole_film"] =
@@ -185,9 +191,11 @@ void print(const Json::Value& info) {
 }
 
 int showInfo(const InfoOptions& options) {
-    const Json::Value info = describe(parseSource(options.source, readTextFile(options.source.file)));
+    const scene::Scene scene = parseSource(options.source, readTextFile(options.source.file));
+    const Json::Value info = describe(scene);
     if (options.json) printJson(info);
     else print(info);
+    if (!options.json) printWarnings(options.source.file, scene);
     return kDone;
 }
 

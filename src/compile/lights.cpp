@@ -135,9 +135,8 @@ struct LightCompiler {
     }
     void operator()(const scene::Grating& l) const {
         if (const auto* slits = std::get_if<optics::Slits>(&l.aperture)) {
-            out.slitGratings.push_back(
-                compileSlits(l, *slits, light.spectrum, tables, scene.image.tolerance,
-                             out.tables, out.responses, known));
+            out.slitGratings.push_back(compileSlits(l, *slits, light.spectrum, tables, scene.image.tolerance,
+                                                    out.tables, out.responses, known));
         } else {
             out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, scene.image.tolerance,
                                                          nearestField(scene, l).fresnelNumber, out.tables));

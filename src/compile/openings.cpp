@@ -315,9 +315,9 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
 
     std::vector<Wave> waves;
     if (!spectrum.density.empty()) {
-        const std::vector<double> wavenumbers =
-            evenWavenumbers(waveCount(wholeExtent(grating.aperture) / cellExtent,
-                                      packed.isNear != 0 ? fresnelNumber : 0.0, tables.bands() > 1, tolerance));
+        const std::vector<double> wavenumbers = evenWavenumbers(
+            waveCount(wholeExtent(grating.aperture) / cellExtent, packed.isNear != 0 ? fresnelNumber : 0.0,
+                      tables.bands() > 1, tolerance));
         packed.wavenumberStep = toFloat(wavenumbers[1] - wavenumbers[0]);
         waves = packer.continuum(spectrum.density, wavenumbers);
     }

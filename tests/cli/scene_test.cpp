@@ -48,6 +48,45 @@ TEST_F(SceneFiles, ValidateSaysThatAFileIsValid) {
     EXPECT_EQ(outcome.out, roomFile() + ": valid\n");
 }
 
+// A hexagon of a millimetre half a metre from a wall: Fresnel number 0.25e-6 / (550e-9 0.5) = 0.91. A beam of
+// a millimetre falls by 1 - exp(-2) to its rim.
+constexpr const char* kNearScene = R"({
+  "fringe": 1,
+  "camera": { "position": [0, 0, 3], "target": [0, 0, 0] },
+  "materials": { "white": { "type": "diffuse", "reflectance": 0.8 } },
+  "objects": [{ "type": "plane", "point": [0, 0, -0.5], "normal": [0, 0, 1], "material": "white" }],
+  "lights": [{ "name": "hexagon", "type": "grating", "position": [0, 0, 0], "normal": [0, 0, -1],
+    "aperture": { "type": "polygon", "sides": 6, "diameter": "1 mm" },
+    "beam": { "power": "1 mW", "profile": "gaussian", "diameter": "1 mm" } }]
+}
+)";
+
+TEST_F(SceneFiles, WarnWhereTheRendererShowsThemWrongly) {
+    putBytes(folder_ / "near.json", kNearScene);
+    const Outcome outcome = runHere({"validate", "near.json"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, "near.json: valid\n");
+    EXPECT_TRUE(
+        std::regex_search(outcome.err, std::regex(R"(near\.json: warning: hexagon: .*0\.91 at 0\.5 m)")))
+        << outcome.err;
+    EXPECT_TRUE(std::regex_search(outcome.err, std::regex("near\\.json: warning: hexagon: .*86 %")))
+        << outcome.err;
+    const Outcome json = runHere({"info", "--json", "near.json"});
+    EXPECT_EQ(json.status, 0);
+    EXPECT_EQ(json.err, "");
+    EXPECT_NE(json.out.find("0.91 at 0.5 m"), std::string::npos);
+    // In the beam's focus all is well, and so it is for a shape whose near field is known.
+    EXPECT_EQ(runHere({"info", "near.json", "--set", "lights.hexagon.beam.focus=0.5 m", "--set",
+                       "lights.hexagon.beam.profile=flat"})
+                  .err,
+              "");
+    EXPECT_EQ(runHere({"info", "near.json", "--set",
+                       R"(lights.hexagon.aperture={"type": "circle", "diameter": "1 mm"})", "--set",
+                       "lights.hexagon.beam.profile=flat"})
+                  .err,
+              "");
+}
+
 TEST_F(SceneFiles, ValidateListsEveryProblemOfEveryFile) {
     const Outcome outcome = runHere({"validate", "bad.json", roomFile(), "bad.json"});
     EXPECT_EQ(outcome.status, 1);

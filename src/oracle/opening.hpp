@@ -45,8 +45,8 @@ public:
     // Of exp(-2 pi i f.r). Square metres.
     std::complex<double> amplitude(const glm::dvec2& turnsPerMetre) const;
 
-    // Of exp(2 pi i turns(r)), for ways of any length, point by point.
-    std::complex<double> sum(const std::function<double(const glm::dvec2&)>& turns) const;
+    // Calls use(r, weight) for points whose weighted sum is that integral over the area, for any such wave.
+    void forPoints(const std::function<void(const glm::dvec2&, double)>& use) const;
 
 private:
     std::complex<double> maskAmplitude(const optics::MaskAperture& mask, const glm::dvec2& f) const;

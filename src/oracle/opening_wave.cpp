@@ -30,37 +30,35 @@ OpeningWave::View OpeningWave::view(const glm::dvec3& offset, const glm::dvec3& 
     const double distance = glm::length(offset);
     const glm::dvec3 direction = offset / distance;
     const double facing = -glm::dot(direction, normal);
-    const double along = std::sqrt(1.0 - glm::dot(incident, incident));
     View view{{},
+              {},
               glm::dvec2(direction) - incident,
               direction.z * facing / (distance * distance),
-              offset,
-              glm::dvec3(incident, along)};
-    const double steepest = glm::length(view.turn) + 0.5 * extent_ * curvature(view);
-    if (facing > 0.0) view.opening.emplace(shape_, steepest / (1e-9 * kFirst_nm));
+              std::abs(1.0 / distance - (focus_ ? 1.0 / *focus_ : 0.0))};
+    if (facing <= 0.0) return view;
+    constexpr double kShortest = 1e-9 * kFirst_nm;
+    const double steepest = glm::length(view.turn) + 0.5 * extent_ * view.curvature;
+    view.opening.emplace(shape_, steepest / kShortest);
+    if (0.25 * extent_ * extent_ * view.curvature < kLeastFresnelNumber * kShortest) return view;
+    const glm::dvec3 axis(incident, std::sqrt(1.0 - glm::dot(incident, incident)));
+    view.ways.emplace(kShortest);
+    view.opening->forPoints(
+        [&](const glm::dvec2& r, double weight) { view.ways->add(wayPast(r, offset, axis), weight); });
     return view;
 }
 
-double OpeningWave::curvature(const View& view) const {
-    return std::abs(1.0 / glm::length(view.offset) - (focus_ ? 1.0 / *focus_ : 0.0));
-}
-
 // The beam reaches r earlier or later than the middle, and the point is further from it or nearer.
-double OpeningWave::turns(const View& view, const glm::dvec2& r, double wavelength) const {
+double OpeningWave::wayPast(const glm::dvec2& r, const glm::dvec3& offset, const glm::dvec3& incident) const {
     const glm::dvec3 at(r, 0.0);
-    double way = glm::length(view.offset - at) - glm::length(view.offset);
-    if (focus_) way += *focus_ - glm::length(*focus_ * view.incident - at);
-    else way += glm::dot(view.incident, at);
-    return way / wavelength;
+    const double before = focus_ ? *focus_ - glm::length(*focus_ * incident - at) : glm::dot(incident, at);
+    return before + glm::length(offset - at) - glm::length(offset);
 }
 
 double OpeningWave::irradiance(const View& view, double wavelength) const {
     if (!view.opening) return 0.0;
-    const bool isFar = 0.25 * extent_ * extent_ * curvature(view) < kLeastFresnelNumber * wavelength;
-    const double pattern =
-        std::norm(isFar ? view.opening->amplitude(view.turn / wavelength)
-                        : view.opening->sum([&](const glm::dvec2& r) { return turns(view, r, wavelength); }));
-    return power_ * pattern / (wavelength * wavelength * area_) * view.geometry;
+    const std::complex<double> amplitude =
+        view.ways ? view.ways->wave(wavelength) : view.opening->amplitude(view.turn / wavelength);
+    return power_ * std::norm(amplitude) / (wavelength * wavelength * area_) * view.geometry;
 }
 
 double OpeningWave::propagatingShare(double wavelength, const glm::dvec2& incident) const {
@@ -68,7 +66,7 @@ double OpeningWave::propagatingShare(double wavelength, const glm::dvec2& incide
 }
 
 double OpeningWave::spread(const View& view) const {
-    return extent_ * (glm::length(view.turn) + 0.25 * extent_ * curvature(view));
+    return extent_ * (glm::length(view.turn) + 0.25 * extent_ * view.curvature);
 }
 
 // The share of a single opening changes slowly.

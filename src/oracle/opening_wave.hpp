@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "oracle/opening.hpp"
+#include "oracle/ways.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::oracle {
@@ -16,10 +17,10 @@ public:
 
     struct View {
         std::optional<Opening> opening;  // nothing where no light gets
+        std::optional<Ways> ways;        // in the near field
         glm::dvec2 turn;                 // change of the direction cosines
         double geometry;                 // 1 / m^2: obliquity, cosine and inverse square
-        glm::dvec3 offset;
-        glm::dvec3 incident;  // the way the beam's axis goes
+        double curvature;                // 1 / m: of the phase across the opening
     };
     View view(const glm::dvec3& offset, const glm::dvec3& normal, const glm::dvec2& incident) const;
 
@@ -33,9 +34,8 @@ public:
     glm::dvec2 extent() const;
 
 private:
-    // Turns of the way past r less that past the middle.
-    double turns(const View& view, const glm::dvec2& r, double wavelength) const;
-    double curvature(const View& view) const;
+    // Of the way past r less that past the middle. `incident`: the way the beam's axis goes.
+    double wayPast(const glm::dvec2& r, const glm::dvec3& offset, const glm::dvec3& incident) const;
 
     OpeningShape shape_;
     std::optional<double> focus_;  // metres

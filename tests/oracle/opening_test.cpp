@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "oracle/opening_share.hpp"
+#include "oracle/opening_wave.hpp"
 
 namespace fringe::oracle {
 namespace {
@@ -173,6 +174,29 @@ TEST(OpeningShare, OfALatticeOfSlotsIsThatOfSlits) {
     const optics::LatticeAperture wide{
         optics::RectangularAperture{0.8 * um, 1.0 * um}, {1.6e-6, 0.0}, {1.6e-6, 1e-6}, 400, 400};
     EXPECT_NEAR(propagatingShare(wide, 550e-9, dvec2(0.5, 0.0)), 0.9278, 6e-5);
+}
+
+// On the axis of a circle in even light the sum of waves over rings of equal ways has a primitive.
+TEST(OpeningWave, OnTheAxisOfACircleIsAsTheIntegralOverTheWays) {
+    scene::Grating grating;
+    const optics::CircularAperture circle{6.0 * mm, 0.0 * mm};
+    grating.efficiency = 1.0;
+    const OpeningWave wave(grating, circle);
+    for (const double distance : {0.5, 1.0, 1.7}) {
+        const auto view = wave.view({0, 0, distance}, {0, 0, -1}, {0, 0});
+        for (const double wavelength : {400e-9, 543e-9, 777e-9}) {
+            const double k = 2.0 * pi / wavelength;
+            const auto primitive = [&](double s) {
+                return Complex(1.0 / (k * k), -s / k) * std::polar(1.0, k * (s - distance));
+            };
+            const Complex amplitude =
+                2.0 * pi * (primitive(std::hypot(distance, 3e-3)) - primitive(distance));
+            const double area = pi * 9e-6;
+            const double expected = std::norm(amplitude) / (area * std::pow(wavelength * distance, 2));
+            EXPECT_NEAR(wave.irradiance(view, wavelength), expected, 1e-5 * 4.0 / area)
+                << distance << ' ' << wavelength;
+        }
+    }
 }
 
 }  // namespace

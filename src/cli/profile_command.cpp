@@ -15,6 +15,7 @@
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "compile/compiled_scene.hpp"
+#include "compile/warnings.hpp"
 #include "image/pending_file.hpp"
 #include "profile/sampling.hpp"
 #include "render/renderer.hpp"
@@ -133,6 +134,7 @@ int profileLine(const ProfileOptions& options) {
     const scene::Scene scene = parseSource(options.source, readTextFile(options.source.file));
 
     std::vector<std::string> notes;
+    for (const auto& [name, message] : compile::warningsOf(scene)) notes.push_back(name + ": " + message);
     const scene::Light* light = gratingOf(scene, options.grating, notes);
     const profile::SurfaceLine line = profile::surfaceUnder(
         scene, from, to,

@@ -23,10 +23,8 @@ std::optional<std::string> nearFieldWarning(const scene::Scene& scene, const sce
     const bool isLattice = std::holds_alternative<optics::LatticeAperture>(grating.aperture);
     return fmt::format(
         "the far field of {} is shown, which is wrong as near as this: its Fresnel number is {:.2g} at "
-        "{:.3g} m, "
-        "and the far field is where it is below {:g}. Let the light fall on surfaces {:.2g} m away and "
-        "beyond, or "
-        "focus the beam on them (\"focus\": \"{:.3g} m\")",
+        "{:.3g} m, and the far field is where it is below {:g}. Let the light fall on surfaces {:.2g} m away "
+        "and beyond, or focus the beam on them (\"focus\": \"{:.3g} m\")",
         isLattice ? "each opening" : "the opening", number, distance, kFarField,
         half * half / (kFarField * kFresnelWavelength), distance);
 }
@@ -38,8 +36,7 @@ std::optional<std::string> profileWarning(const scene::Grating& grating) {
     if (!(fall > kEven)) return {};
     return fmt::format(
         "the opening is lit evenly, though the Gaussian beam falls by {:.0f} % from its middle to its rim. "
-        "The "
-        "power is right, the pattern that of an even beam. A beam of {:.3g} mm would fall by {:.0f} %",
+        "The power is right, the pattern that of an even beam. A beam of {:.3g} mm would fall by {:.0f} %",
         100.0 * fall, 1e3 * wholeExtent(grating.aperture) / std::sqrt(-0.5 * std::log(1.0 - kEven)),
         100.0 * kEven);
 }

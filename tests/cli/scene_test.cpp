@@ -56,7 +56,7 @@ constexpr const char* kNearScene = R"({
   "materials": { "white": { "type": "diffuse", "reflectance": 0.8 } },
   "objects": [{ "type": "plane", "point": [0, 0, -0.5], "normal": [0, 0, 1], "material": "white" }],
   "lights": [{ "name": "hexagon", "type": "grating", "position": [0, 0, 0], "normal": [0, 0, -1],
-    "aperture": { "type": "polygon", "sides": 6, "diameter": "1 mm" },
+    "slit_direction": [0, 1, 0], "aperture": { "type": "polygon", "sides": 6, "diameter": "1 mm" },
     "beam": { "power": "1 mW", "profile": "gaussian", "diameter": "1 mm" } }]
 }
 )";

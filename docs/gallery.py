@@ -22,10 +22,11 @@ SECTIONS = {  # folder: title, largest width of a picture in pixels, introductio
         ["five-gratings", "one-slit", "few-slits", "lamps", "oblique", "reflection", "red-card-gold-mirror", "gaussian",
          "near-to-far"],
     ),
-    "apertures": ("Apertures", 240, "Small openings of any shape, and rows of them.", ["wall"]),
+    "apertures": ("Apertures", 240, "Openings of any shape, rows of them, and two in their near field.", ["wall", "near-to-far", "near-field"]),
     "discs": ("Discs", 320, "Optical discs and a record, lit by the lamps of the scene; how, is in [optical-discs.md](optical-discs.md).", ["cd-on-desk", "cd"]),
     "laboratory": ("Laboratory", 420, "Experiments, to be measured with [`fringe profile`](profile.md).", []),
 }
+WIDER = {"apertures-wall.png": 440, "apertures-near-to-far.png": 800}  # than the others of their section
 
 
 def scenes(folder, first):
@@ -54,7 +55,7 @@ for folder, (title, widest, text, first) in SECTIONS.items():
         content = json.loads(re.sub(r"^\s*//.*$", "", scene.read_text(), flags=re.MULTILINE))
         relative = scene.relative_to(root).as_posix()
         picture = f"{scene.stem}.png" if folder in ("discs", "laboratory") else f"{folder}-{scene.stem}.png"
-        width, height = size(content["image"], 440 if scene.stem == "wall" else widest)
+        width, height = size(content["image"], WIDER.get(picture, widest))
         command = ["render", relative, "-o", picture]
         if (width, height) != (content["image"].get("width", 600), content["image"].get("height", 600)):
             command += ["--set", f"image.width={width}", "--set", f"image.height={height}"]

@@ -72,4 +72,5 @@
     X(65, HAS_PAIRS_EVALUATOR)      \
     X(66, TEXELS_IN_IMAGES)         \
     X(67, HAS_BAND_RESPONSES)       \
-    X(68, HAS_NEAR_OPENINGS)
+    X(68, HAS_NEAR_OPENINGS)        \
+    X(69, HAS_SHADOWS)

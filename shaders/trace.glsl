@@ -61,6 +61,7 @@ Hit nearestHit(vec3 o, vec3 d) {
 
 // Whether anything lies between o and the point at distance tMax.
 bool occluded(vec3 o, vec3 d, float tMax) {
+    if (HAS_SHADOWS == 0u) return false;
     bool blocked = false;
 #define NOTE_BLOCKER(KIND, COUNT, CASTERS, ARRAY, DISTANCE) \
     FOR_EACH(KIND, COUNT, CASTERS, ARRAY, float t = DISTANCE; blocked = blocked || (t > 0.0 && t < tMax);)

@@ -140,6 +140,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo
     device::Frame& frame = out.frame;
     setView(scene.camera, scene.image, frame);
     out.samples = scene.image.samples;
+    out.castsShadows = scene.castsShadows;
     out.printedFaults = scene::hasPrintedFaults(scene);
     if (std::any_of(scene.materials.begin(), scene.materials.end(), isSpecular))
         out.maxDepth = scene.image.maxDepth;

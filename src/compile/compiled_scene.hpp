@@ -17,6 +17,7 @@ struct CompiledScene {
     bool printedFaults = false;  // some 0/0 is to be left in, flagged
     // The first so many of each flat kind can throw a shadow; of the others all.
     std::uint32_t planeCasters = 0, rectangleCasters = 0, discCasters = 0, triangleCasters = 0;
+    bool castsShadows = true;  // false: none is thrown
     std::vector<device::Plane> planes;
     std::vector<device::Rectangle> rectangles;
     std::vector<device::Disc> discs;

@@ -17,6 +17,14 @@ device::uint hasLens(const scene::Camera& camera) {
     return perspective != nullptr && perspective->lens.has_value();
 }
 
+bool hasCasters(const CompiledScene& compiled) {
+    const bool flat =
+        compiled.planeCasters + compiled.rectangleCasters + compiled.discCasters + compiled.triangleCasters >
+        0;
+    return flat || !compiled.spheres.empty() || !compiled.boxes.empty() || !compiled.cylinders.empty() ||
+           !compiled.cones.empty();
+}
+
 }  // namespace
 
 device::Specialisation specialise(const CompiledScene& compiled, const scene::Camera& camera) {
@@ -124,6 +132,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
             anySlits([](const device::SlitGrating& g) { return g.evaluator == device::PAIRS_EVALUATOR; }),
         .HAS_BAND_RESPONSES = compiled.bandResponses && !compiled.slitGratings.empty(),
         .HAS_NEAR_OPENINGS = anyOpening([](const device::OpeningGrating& g) { return g.isNear != 0; }),
+        .HAS_SHADOWS = compiled.castsShadows && hasCasters(compiled),
     };
 }
 

@@ -84,9 +84,21 @@ std::optional<Change> drawArray(const Schema& schema, const Json::Value& array, 
     std::optional<Change> change;
     for (Json::ArrayIndex i = 0; i < std::min(array.size(), kMost); ++i) {
         ImGui::PushID(static_cast<int>(i));
+        if (array.size() > schema.minItems) {
+            if (ImGui::SmallButton("x")) {
+                change = Change{path, array};
+                change->value.removeIndex(i, nullptr);
+            }
+            ImGui::SameLine();
+        }
         if (auto changed = drawAny(*schema.items, fmt::to_string(i), array[i], fmt::format("{}.{}", path, i)))
             change = changed;
         ImGui::PopID();
+    }
+    if (array.size() < std::min<std::size_t>(schema.maxItems.value_or(kMost), kMost) &&
+        ImGui::SmallButton("+")) {
+        change = Change{path, array};
+        change->value.append(array.empty() ? exampleOf(*schema.items) : array[array.size() - 1]);
     }
     return change;
 }
@@ -201,12 +213,13 @@ bool drawSceneEditor(Document& document) {
     const auto of = [&](const char* key) -> const Schema& { return schema.find(key)->schema; };
     std::optional<Change> change;
     const auto section = [&](const char* title, const char* key, bool isOpen, auto draw) {
-        if (!root.isMember(key)) return;
+        const Json::Value& value = root.isMember(key) ? root[key] : of(key).defaultValue;
+        if (value.isNull()) return;
         if (!ImGui::CollapsingHeader(title,
                                      isOpen ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None))
             return;
         ImGui::PushID(key);
-        if (auto changed = draw(of(key), root[key])) change = changed;
+        if (auto changed = draw(of(key), value)) change = changed;
         ImGui::PopID();
     };
     section("Lights", "lights", true,
@@ -215,6 +228,8 @@ bool drawSceneEditor(Document& document) {
     section("Objects", "objects", false,
             [](const Schema& s, const Json::Value& v) { return drawEntries(s, v, "objects", false); });
     section("Camera", "camera", false, drawCamera);
+    section("Image", "image", false,
+            [](const Schema& s, const Json::Value& v) { return drawObject(s, v, "image"); });
     if (change) document.set(change->path, change->value);
     return change.has_value();
 }

@@ -29,6 +29,7 @@ scene::Scene switched(scene::Scene scene, const Switches& switches) {
         if (!isDark) lit.push_back(std::move(scene.lights[i]));
     }
     scene.lights = std::move(lit);
+    scene.castsShadows = !switches.noShadows;
     for (scene::Material& material : scene.materials) {
         if (switches.mattOnly && !isMatt(material))
             material.model = scene::Diffuse{optics::constantCurve(0.5)};

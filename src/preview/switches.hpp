@@ -13,6 +13,7 @@ namespace fringe::preview {
 struct Switches {
     std::set<std::size_t> darkLights = {};     // by their number in the scene file
     bool mattOnly = false;                     // mirrors, glass and discs are grey walls
+    bool noShadows = false;                    // all surfaces let light through, but on the way to the eye
     std::optional<double> wavelength_nm = {};  // nothing: all of them
 
     bool operator==(const Switches&) const = default;

@@ -120,6 +120,15 @@ std::optional<Json::Value> drawVector(const Schema& schema, const char* label, c
     return changedValue;
 }
 
+// A name, taken when Enter is pressed.
+std::optional<Json::Value> drawText(const char* label, const Json::Value& value) {
+    std::array<char, 1024> text{};
+    value.asString().copy(text.data(), text.size() - 1);
+    if (!ImGui::InputText(label, text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        return std::nullopt;
+    return Json::Value(text.data());
+}
+
 bool isVector(const Schema& schema) {
     return schema.type == JsonType::array && schema.items != nullptr &&
            schema.items->type == JsonType::number && schema.maxItems && *schema.maxItems <= 4;
@@ -146,7 +155,7 @@ std::optional<Json::Value> drawValue(const Schema& schema, const char* label, co
     }
     if (schema.type == JsonType::integer) return drawInteger(schema, label, value);
     if (value.isNumeric()) return drawNumber(schema, label, value);
-    if (value.isString()) ImGui::LabelText(label, "%s", value.asCString());
+    if (value.isString()) return drawText(label, value);
     return std::nullopt;
 }
 

@@ -277,6 +277,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Light> lights;
+    bool castsShadows = true;  // no key of scene files: the preview can switch shadows off
 };
 
 // Whether anything asks for its 0/0 as printed, or for the formula as it is printed, so that pixels may be

@@ -43,6 +43,11 @@ TEST(Switches, MakeGlassMatt) {
         EXPECT_TRUE(std::holds_alternative<scene::Diffuse>(material.model));
 }
 
+TEST(Switches, LeaveOutShadows) {
+    EXPECT_TRUE(switched(room(), {}).castsShadows);
+    EXPECT_FALSE(switched(room(), {.noShadows = true}).castsShadows);
+}
+
 // Of daylight a band has its share, whose parts add up to the whole; of a laser it has all or nothing.
 TEST(Switches, LeaveTheLightOfABand) {
     const auto power = [](double wavelength_nm, std::size_t light) {

@@ -43,6 +43,7 @@ FEATURES = {
     "depth of field": (["HAS_LENS"], []),
     "0/0 as printed": (["HAS_PRINTED_FAULTS"], []),
     "tree of shapes": (["TREE_DEPTH"], []),
+    "shadows": (["HAS_SHADOWS"], []),
     "texels in images": (["TEXELS_IN_IMAGES"], []),
     "discs": (["DISC_COUNT"], ["DISC"]),
     "spheres": (["SPHERE_COUNT"], ["SPHERE"]),

@@ -1,11 +1,8 @@
 # cmake -DSPIRV_OPT=... -DINPUT=x.spv -DOUTPUT=x.h -DSYMBOL=name -P embed_spirv.cmake
-# Optimises a SPIR-V module and writes it as a C++ array of words. Only passes that shrink what a driver has to read:
-# inlining and forwarding of locals take an eighth off the time that lavapipe needs to compile the renderer.
-set(dead --ccp --simplify-instructions --eliminate-dead-branches --eliminate-dead-functions)
+# Optimises a SPIR-V module and writes it as a C++ array of words.
+include(${CMAKE_CURRENT_LIST_DIR}/spirv_passes.cmake)
 execute_process(
-    COMMAND ${SPIRV_OPT} --target-env=vulkan1.2 --scalar-block-layout ${dead} --merge-blocks
-            --inline-entry-points-exhaustive --eliminate-local-single-block --eliminate-local-single-store
-            ${dead} --eliminate-dead-code-aggressive --merge-blocks ${INPUT} -o ${INPUT}.opt
+    COMMAND ${SPIRV_OPT} --target-env=vulkan1.2 --scalar-block-layout ${spirvPasses} ${INPUT} -o ${INPUT}.opt
     OUTPUT_VARIABLE remarks ERROR_VARIABLE remarks RESULT_VARIABLE failed)  # remarks: what it could not inline
 if(failed)
     message(FATAL_ERROR "spirv-opt failed on ${INPUT}:\n${remarks}")

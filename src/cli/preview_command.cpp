@@ -1,7 +1,9 @@
 // fringe preview: a scene in a window.
+#include <fmt/format.h>
 #include <json/json.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/device_choice.hpp"
@@ -10,6 +12,7 @@
 #include "cli/report.hpp"
 #include "image/pending_file.hpp"
 #include "preview/application.hpp"
+#include "preview/shader_compiler.hpp"
 #include "preview/window.hpp"
 
 namespace fringe::cli {
@@ -19,6 +22,7 @@ struct PreviewOptions {
     SceneSource source;
     std::string device;
     std::string stats;
+    std::string shaders;
     std::uint32_t samples = 0;
 };
 
@@ -51,15 +55,31 @@ void writeStats(const std::string& path, const preview::Statistics& statistics) 
     file.commit();
 }
 
+// Throws InputError or NoWindow.
+void checkShaders(const std::filesystem::path& folder) {
+    if (!preview::canCompileShaders()) {
+        throw NoWindow(
+            "this program was built without --shaders; install the glslang library, on Debian: apt-get "
+            "install "
+            "glslang-dev; then configure and build again");
+    }
+    if (std::filesystem::is_regular_file(folder / preview::kMainShader)) return;
+    throw InputError(fmt::format(
+        "--shaders {}: there is no {}; give the folder shaders/ of Fringe's source, or a copy of it",
+        folder.string(), preview::kMainShader));
+}
+
 int previewScene(const PreviewOptions& options) {
     catchInterrupts();
+    if (!options.shaders.empty()) checkShaders(options.shaders);
     const std::string text = readTextFile(options.source.file);
     const scene::Scene scene = parseSource(options.source, text);
     if (!options.stats.empty()) const image::PendingFile probe(options.stats);
     const preview::Options what{
         .source = {text, options.source.file, overridesOf(options.source)},
         .device = deviceRequest(options.device),
-        .samples = options.samples > 0 ? options.samples : std::max(scene.image.samples, kSamples)};
+        .samples = options.samples > 0 ? options.samples : std::max(scene.image.samples, kSamples),
+        .shaders = options.shaders};
     try {
         const preview::Outcome outcome = preview::run(what, interrupted());
         if (!options.stats.empty()) writeStats(options.stats, outcome.statistics);
@@ -83,6 +103,8 @@ void addPreview(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(1, 65535));
     command->add_option("--device", options->device,
                         "Vulkan device that renders, by index or part of its name (see: fringe devices)");
+    command->add_option("--shaders", options->shaders,
+                        "a folder with the renderer's shaders, which are compiled again when one is saved");
     command->add_option("--stats", options->stats,
                         "at the end, write how quick it was to this JSON file, in milliseconds");
     command->callback([=, &chosen] { chosen = [=] { return previewScene(*options); }; });

@@ -17,11 +17,16 @@ using Id = std::uint32_t;
 enum Opcode : std::uint32_t {
     kName = 5,
     kEntryPoint = 15,
+    kExecutionMode = 16,
+    kCapability = 17,
+    kFirstType = 19,
     kTypeBool = 20,
     kTypeInt = 21,
     kTypeFloat = 22,
     kTypeVector = 23,
+    kTypeImage = 25,
     kTypeArray = 28,
+    kTypeRuntimeArray = 29,
     kTypeStruct = 30,
     kTypePointer = 32,
     kConstantTrue = 41,
@@ -59,9 +64,17 @@ enum Opcode : std::uint32_t {
     kShiftLeftLogical = 196,
 };
 
-enum Decoration : std::uint32_t { kSpecId = 1, kArrayStride = 6, kOffset = 35 };
+enum Decoration : std::uint32_t {
+    kSpecId = 1,
+    kArrayStride = 6,
+    kBinding = 33,
+    kDescriptorSet = 34,
+    kOffset = 35
+};
 
-constexpr std::uint32_t kUniform = 2;  // storage class
+// Storage classes, and an execution mode.
+constexpr std::uint32_t kUniform = 2, kPushConstant = 9;
+constexpr std::uint32_t kLocalSize = 17;
 
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::size_t kVersionWord = 1;

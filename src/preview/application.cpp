@@ -48,9 +48,10 @@ class Application {
 public:
     Application(const Options& options, Clock::time_point start)
         : request_(options.device),
-          engine_(options.device),
+          engine_(options.device, options.shaders),
           document_(options.source),
           watch_(options.source.file),
+          shaderWatch_(options.shaders),
           scene_(scene::parseScene(options.source.text, options.source.file, options.source.overrides)) {
         statistics_.began(start);
         settings_.samples = options.samples;
@@ -207,6 +208,10 @@ private:
     void lookAtFiles() {
         if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
             notice_ = saving_.get();
+        if (shaderWatch_.hasChanged()) {
+            ++shaders_;
+            sendWish(Statistics::Cause::other);
+        }
         const auto text = watch_.changedText();
         if (!text) return;
         const Json::Value before = document_.root()["camera"];
@@ -258,6 +263,7 @@ private:
         engine_.wish({.number = wishes_,
                       .source = document_.source(),
                       .switches = std::move(switches),
+                      .shaders = shaders_,
                       .cameraNumber = cameraNumber_,
                       .camera = camera_,
                       .display = settings_.display,
@@ -276,6 +282,8 @@ private:
     Engine engine_;
     Document document_;
     FileWatch watch_;
+    ShaderWatch shaderWatch_;
+    std::uint64_t shaders_ = 1;  // goes up when they have changed
     Instrument instrument_;
     std::future<std::string> saving_;
     std::string notice_;

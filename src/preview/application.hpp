@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace fringe::preview {
 struct Options {
     Source source;  // a valid scene
     gpu::DeviceRequest device;
-    std::uint32_t samples = 16;  // of every pixel, once nothing moves
+    std::uint32_t samples = 16;       // of every pixel, once nothing moves
+    std::filesystem::path shaders{};  // a folder of the renderer's source; empty: as it was built
 };
 
 struct Outcome {

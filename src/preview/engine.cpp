@@ -18,7 +18,10 @@ constexpr double kLive_ms = 25.0;
 
 }  // namespace
 
-Engine::Engine(gpu::DeviceRequest request) : request_(std::move(request)), thread_([this] { run(); }) {}
+Engine::Engine(gpu::DeviceRequest request, const std::filesystem::path& shaders)
+    : request_(std::move(request)),
+      shaders_(shaders.empty() ? nullptr : std::make_unique<LiveShaders>(shaders)),
+      thread_([this] { run(); }) {}
 
 Engine::~Engine() {
     close();
@@ -121,7 +124,7 @@ void Engine::run() {
 }
 
 void Engine::serve(const gpu::Device& device) {
-    Rendering rendering(device);
+    Rendering rendering(device, shaders_.get());
     Measuring measuring(device);
     std::uint64_t known = 0;
     while (const auto wish = waitForWish(known)) {
@@ -148,7 +151,12 @@ void Engine::fulfil(const Wish& wish, Rendering& rendering, Measuring& measuring
         });
     }
     if (!rendering.hasScene()) return;
+    if (rendering.hasNewShaders(wish)) report([](State& state) { state.activity = "compiling the shaders"; });
     rendering.follow(wish);
+    report([&](State& state) {
+        state.activity.clear();
+        state.shaderError = rendering.shaderError();
+    });
 
     bool isShown = false;  // something of this wish
     bool wasFull = false;

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -15,12 +16,14 @@
 
 namespace fringe::preview {
 
+class LiveShaders;
 class Measuring;
 class Rendering;
 
 class Engine {
 public:
-    explicit Engine(gpu::DeviceRequest request);
+    // With the shaders of a folder if one is named.
+    Engine(gpu::DeviceRequest request, const std::filesystem::path& shaders);
     ~Engine();
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
@@ -60,6 +63,7 @@ private:
     void report(Change change);
 
     gpu::DeviceRequest request_;
+    std::unique_ptr<LiveShaders> shaders_;  // used by the thread alone; null: the program's own
     std::atomic<std::uint64_t> news_{0};
     std::vector<std::string> validation_;
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "image/pending_file.hpp"
 #include "image/writer.hpp"
@@ -29,27 +30,49 @@ void setCamera(const scene::Camera& camera, Json::Value& json) {
         json["height"] = orthographic->height;
 }
 
-}  // namespace
-
-FileWatch::FileWatch(std::filesystem::path file) : file_(std::move(file)), known_(stamp()) {}
-
-std::optional<FileWatch::Stamp> FileWatch::stamp() const {
+// Nothing of what is no file, or no longer one.
+std::optional<FileStamp> stampOf(const std::filesystem::path& file) {
     std::error_code error;
-    const auto time = std::filesystem::last_write_time(file_, error);
+    const auto time = std::filesystem::last_write_time(file, error);
     if (error) return std::nullopt;
-    const std::uintmax_t size = std::filesystem::file_size(file_, error);
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) return std::nullopt;
-    return Stamp{time, size};
+    return FileStamp{time, size};
 }
 
+}  // namespace
+
+FileWatch::FileWatch(std::filesystem::path file) : file_(std::move(file)), known_(stampOf(file_)) {}
+
 std::optional<std::string> FileWatch::changedText() {
-    const std::optional<Stamp> now = stamp();
+    const std::optional<FileStamp> now = stampOf(file_);
     if (!now || now == known_) return std::nullopt;
     std::ifstream stream(file_, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) return std::nullopt;
     known_ = now;
     return text;
+}
+
+ShaderWatch::ShaderWatch(std::filesystem::path folder) : folder_(std::move(folder)), known_(stamps()) {}
+
+ShaderWatch::Stamps ShaderWatch::stamps() const {
+    Stamps found;
+    std::error_code error;  // a folder that is not there has no files
+    for (std::filesystem::directory_iterator entry(folder_, error), end; !error && entry != end;
+         entry.increment(error)) {
+        // Not the copies that editors keep beside it.
+        const std::filesystem::path extension = entry->path().extension();
+        if (extension == ".comp" || extension == ".glsl" || extension == ".h")
+            found[entry->path()] = stampOf(entry->path());
+    }
+    return found;
+}
+
+bool ShaderWatch::hasChanged() {
+    if (folder_.empty()) return false;
+    Stamps now = stamps();
+    return std::exchange(known_, std::move(now)) != known_;
 }
 
 std::string sceneText(const Document& document, const std::optional<scene::Camera>& camera) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,14 @@
 #include "preview/wish.hpp"
 
 namespace fringe::preview {
+
+// What changes when a file is written to.
+struct FileStamp {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size;
+
+    bool operator==(const FileStamp&) const = default;
+};
 
 // Notices that a file has been written to.
 class FileWatch {
@@ -19,17 +28,26 @@ public:
     std::optional<std::string> changedText();
 
 private:
-    struct Stamp {
-        std::filesystem::file_time_type time;
-        std::uintmax_t size;
-
-        bool operator==(const Stamp&) const = default;
-    };
-
-    std::optional<Stamp> stamp() const;
-
     std::filesystem::path file_;
-    std::optional<Stamp> known_;
+    std::optional<FileStamp> known_;
+};
+
+// Notices that a shader of a folder has been written to, made or taken away.
+class ShaderWatch {
+public:
+    // An empty name: of no folder.
+    explicit ShaderWatch(std::filesystem::path folder);
+
+    // Whether one has since the last call.
+    bool hasChanged();
+
+private:
+    using Stamps = std::map<std::filesystem::path, std::optional<FileStamp>>;
+
+    Stamps stamps() const;
+
+    std::filesystem::path folder_;
+    Stamps known_;
 };
 
 // The scene as it is on show: with what was changed, and seen by `camera` if there is one. As JSON, without

@@ -81,19 +81,17 @@ bool drawDisplay(Settings& settings, const Facts& facts) {
 bool drawSwitches(Settings& settings, const Document& document) {
     if (!ImGui::CollapsingHeader("Switches")) return false;
     bool changed = false;
-    bool mattOnly = settings.switches.mattOnly;
-    if (ImGui::Checkbox("mirrors, glass and discs as grey walls", &mattOnly)) {
-        settings.switches.mattOnly = mattOnly;
-        changed = true;
-    }
+    Switches& switches = settings.switches;
+    changed = ImGui::Checkbox("mirrors, glass and discs as grey walls", &switches.mattOnly) || changed;
+    changed = ImGui::Checkbox("no shadows", &switches.noShadows) || changed;
     const Json::Value& lights = document.root()["lights"];
     for (Json::ArrayIndex i = 0; i < lights.size(); ++i) {
         if (!lights[i].isObject()) continue;
         ImGui::PushID(static_cast<int>(i));
-        bool isOn = !settings.switches.darkLights.contains(i);
+        bool isOn = !switches.darkLights.contains(i);
         if (ImGui::Checkbox(entryName(lights[i], i).c_str(), &isOn)) {
-            if (isOn) settings.switches.darkLights.erase(i);
-            else settings.switches.darkLights.insert(i);
+            if (isOn) switches.darkLights.erase(i);
+            else switches.darkLights.insert(i);
             changed = true;
         }
         ImGui::PopID();
@@ -142,7 +140,8 @@ void drawKeys(Settings& settings, int left) {
 void drawMessages(const Facts& facts, int left) {
     const State& state = facts.state;
     const std::string& news = facts.notice.empty() ? state.activity : facts.notice;
-    const std::string& text = state.error.empty() ? news : state.error;
+    const bool isError = !state.error.empty() || !state.shaderError.empty();
+    const std::string& text = !isError ? news : state.error.empty() ? state.shaderError : state.error;
     if (text.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const auto begin = static_cast<float>(left);
@@ -152,9 +151,9 @@ void drawMessages(const Facts& facts, int left) {
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
     ImGui::Begin("##messages", nullptr, flags);
-    if (!state.error.empty()) ImGui::PushStyleColor(ImGuiCol_Text, {1.0F, 0.55F, 0.45F, 1.0F});
+    if (isError) ImGui::PushStyleColor(ImGuiCol_Text, {1.0F, 0.55F, 0.45F, 1.0F});
     ImGui::TextWrapped("%s", text.c_str());
-    if (!state.error.empty()) ImGui::PopStyleColor();
+    if (isError) ImGui::PopStyleColor();
     ImGui::End();
 }
 

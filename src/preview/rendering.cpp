@@ -64,7 +64,16 @@ void Rendering::load(const Wish& wish) {
     source_ = wish.source;
     wavelength_nm_ = wish.switches.wavelength_nm;
     wish_ = wish;
+    takeShader();
     start();
+}
+
+// The one for this kind of scene, as the wish has it. True if it is another than before.
+bool Rendering::takeShader() {
+    if (shaders_ == nullptr) return false;
+    const LiveShaders::Shader& shader = shaders_->of(render::variantFor(compiled_), wish_.shaders);
+    shaderError_ = shader.error;
+    return std::exchange(shader_, shader.code) != shader.code;
 }
 
 // The pipeline and the picture, from the beginning.
@@ -75,7 +84,7 @@ void Rendering::start() {
     compiled_.samples = wish_.samples;
     compile::setView(camera_, image_, compiled_.frame);
     constants_ = compile::specialise(compiled_, camera_);
-    progressive_.show(compiled_, constants_);
+    progressive_.show(compiled_, constants_, shader_);
     timing_.pipeline = progressive_.compile_ms();
     timing_.pipelines = progressive_.compilations();
     restart(coarseDivisor());
@@ -85,10 +94,11 @@ void Rendering::follow(const Wish& wish) {
     const bool isOtherView = wish.cameraNumber != wish_.cameraNumber || wish.samples != wish_.samples;
     const bool isOtherPipeline = (wish.samples > 1) != (wish_.samples > 1);
     wish_ = wish;
-    if (!isOtherView) return;
+    const bool isOtherShader = takeShader();
+    if (!isOtherView && !isOtherShader) return;
     camera_ = wish.camera.value_or(scene_->camera);
     image_.samples = wish.samples;
-    if (isOtherPipeline || compile::specialise(compiled_, camera_) != constants_) start();
+    if (isOtherShader || isOtherPipeline || compile::specialise(compiled_, camera_) != constants_) start();
     else restart(coarseDivisor());
 }
 

@@ -9,6 +9,7 @@
 
 #include "compile/table_memo.hpp"
 #include "image/develop.hpp"
+#include "preview/live_shaders.hpp"
 #include "preview/wish.hpp"
 #include "render/progressive.hpp"
 
@@ -16,14 +17,17 @@ namespace fringe::preview {
 
 class Rendering {
 public:
-    // Keeps a reference to the device.
-    explicit Rendering(const gpu::Device& device) : progressive_(device) {}
+    // Keeps a reference to the device, and to the shaders; null: the program's own.
+    Rendering(const gpu::Device& device, LiveShaders* shaders) : progressive_(device), shaders_(shaders) {}
 
     // Whether the wish is for another scene, or for other parts of it, than the one that load() was last
     // called with.
     bool isNewScene(const Wish& wish) const {
         return wish.source != tried_ || wish.switches != triedSwitches_;
     }
+
+    // Whether the wish is for other shaders than those that are known.
+    bool hasNewShaders(const Wish& wish) const { return wish.shaders != wish_.shaders; }
 
     // Reads and compiles the scene of the wish and begins with it. Throws scene::SceneError, and then the
     // scene before stays, or gpu::DeviceError, and then this is of no more use.
@@ -57,6 +61,9 @@ public:
     // In full size, as opposed to coarse.
     bool isFull() const { return divisor_ == 1; }
 
+    // Why the shaders are not as the wish has them; empty: they are.
+    const std::string& shaderError() const { return shaderError_; }
+
     const Timing& timing() const { return timing_; }
 
     // The constants of the pipeline that are not 0, "RECTANGLE_COUNT 5, ...".
@@ -64,12 +71,16 @@ public:
 
 private:
     void start();
+    bool takeShader();
     void restart(std::uint32_t divisor);
     std::uint32_t coarseDivisor() const;
     device::Frame frameOf(std::uint32_t divisor) const;
     double fullPixels() const;
 
     render::Progressive progressive_;
+    LiveShaders* shaders_;
+    render::ShaderCode shader_;
+    std::string shaderError_;
     std::shared_ptr<const Source> tried_, source_;
     Switches triedSwitches_;
     std::optional<double> wavelength_nm_;  // that is shown; nothing: all of them

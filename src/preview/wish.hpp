@@ -42,6 +42,7 @@ struct Wish {
     std::uint64_t number = 0;              // ascending
     std::shared_ptr<const Source> source;  // another pointer is another scene
     Switches switches;
+    std::uint64_t shaders = 0;            // of a folder (LiveShaders): another number is another text
     std::uint64_t cameraNumber = 0;       // another number is another camera
     std::optional<scene::Camera> camera;  // in place of the scene's
     Display display;
@@ -76,6 +77,7 @@ struct State {
     std::string device, driver;       // empty until it is open
     std::string activity;             // what takes time just now; empty: nothing but samples
     std::string error;                // why the last wish is not on show; empty: it is
+    std::string shaderError;          // why the shaders on show are not those of the folder
     std::optional<double> measuring;  // the share that is done; none: nothing is being measured
     std::string specialisation;       // the constants of the pipeline that are not 0
     Timing timing;

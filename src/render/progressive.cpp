@@ -22,6 +22,7 @@ constexpr std::size_t kPipelinesKept = 8;
 struct Progressive::Pipeline {
     Variant variant;
     device::Specialisation constants;
+    ShaderCode shader;
     gpu::Kernel kernel;
     double pixel_ms = 0.0;  // of a sample of a pixel; 0: not known yet
 };
@@ -33,7 +34,8 @@ std::uint64_t Progressive::mostPixels() const {
     return Film::pixelsIn(device_.limits().maxStorageBufferRange);
 }
 
-void Progressive::show(const compile::CompiledScene& scene, device::Specialisation constants) {
+void Progressive::show(const compile::CompiledScene& scene, device::Specialisation constants,
+                       const ShaderCode& shader) {
     constants.HAS_RIPPLES = scene.slitGratings.empty() ? 0 : 1;  // the camera may come close to them
     constants = specialiseFor(device_, scene, constants);
     frame_ = scene.frame;
@@ -44,16 +46,16 @@ void Progressive::show(const compile::CompiledScene& scene, device::Specialisati
     texels_ = uploadTexels(device_, scene, constants);
     const std::uint64_t pixels = std::uint64_t{frame_.filmWidth} * wholeGroups(frame_.height);
     if (!film_ || film_->pixels() < pixels) film_.emplace(device_, pixels);
-    pipelineFor(variantFor(scene), constants, layout)
+    pipelineFor(variantFor(scene), constants, shader, layout)
         .kernel.bind(bindings(layout, *scene_, film_->buffer(), texels_));
     restart();
 }
 
 Progressive::Pipeline& Progressive::pipelineFor(const Variant& variant,
                                                 const device::Specialisation& constants,
-                                                const SceneLayout& layout) {
+                                                const ShaderCode& shader, const SceneLayout& layout) {
     const auto found = std::find_if(pipelines_.begin(), pipelines_.end(), [&](const auto& pipeline) {
-        return pipeline->variant == variant && pipeline->constants == constants;
+        return pipeline->variant == variant && pipeline->constants == constants && pipeline->shader == shader;
     });
     if (found != pipelines_.end()) {
         std::rotate(found, found + 1, pipelines_.end());
@@ -63,14 +65,14 @@ Progressive::Pipeline& Progressive::pipelineFor(const Variant& variant,
     const Stopwatch watch(compile_ms_);
     std::array<std::uint32_t, device::kSpecialisationCount> values{};
     std::memcpy(values.data(), &constants, sizeof constants);
-    gpu::Kernel kernel(device_, embeddedShader(variant), bindings(layout, *scene_, film_->buffer(), texels_),
-                       values);
+    const std::span<const std::uint32_t> code = shader ? std::span(*shader) : embeddedShader(variant);
+    gpu::Kernel kernel(device_, code, bindings(layout, *scene_, film_->buffer(), texels_), values);
     // Drivers may put off compiling until the first dispatch: one workgroup, which restart() clears away.
     const gpu::Groups corner{0, 0, 0};
     kernel.run({&corner, 1}, {1, 1, 1});
     ++compilations_;
     if (pipelines_.size() == kPipelinesKept) pipelines_.erase(pipelines_.begin());
-    pipelines_.push_back(std::make_unique<Pipeline>(Pipeline{variant, constants, std::move(kernel)}));
+    pipelines_.push_back(std::make_unique<Pipeline>(Pipeline{variant, constants, shader, std::move(kernel)}));
     return *pipelines_.back();
 }
 

@@ -16,6 +16,9 @@
 
 namespace fringe::render {
 
+// SPIR-V of the renderer; null: as it is embedded. Another pointer is another shader.
+using ShaderCode = std::shared_ptr<const std::vector<std::uint32_t>>;
+
 class Progressive {
 public:
     // Keeps a reference to the device.
@@ -28,9 +31,10 @@ public:
     std::uint64_t mostPixels() const;
 
     // From now on the samples are of this scene. Compiles a pipeline, which takes a fraction of a second or
-    // more, unless one of the last few serves its constants. Throws gpu::DeviceError; then show() is needed
-    // before anything else.
-    void show(const compile::CompiledScene& scene, device::Specialisation constants);
+    // more, unless one of the last few serves its constants. `shader` is that of variantFor(scene). Throws
+    // gpu::DeviceError; then show() is needed before anything else.
+    void show(const compile::CompiledScene& scene, device::Specialisation constants,
+              const ShaderCode& shader = nullptr);
 
     // The same scene in another frame (compile::setView). Precondition: its constants are those of show(),
     // and it has no more rows and columns than the frame of show().
@@ -63,7 +67,7 @@ private:
     struct Pipeline;
 
     Pipeline& pipelineFor(const Variant& variant, const device::Specialisation& constants,
-                          const SceneLayout& layout);
+                          const ShaderCode& shader, const SceneLayout& layout);
     void restart();
 
     const gpu::Device& device_;

@@ -1,7 +1,6 @@
 // The variants of the shader: each has no more code than scenes of its kind need (shaders/CMakeLists.txt).
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 
@@ -12,7 +11,7 @@ namespace fringe::render {
 struct Variant {
     bool banded, slits, openings, discs, tree;  // the definitions of shaders/render.comp
 
-    auto operator<=>(const Variant&) const = default;
+    bool operator==(const Variant&) const = default;
 };
 
 Variant variantFor(const compile::CompiledScene& scene);

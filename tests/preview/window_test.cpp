@@ -68,10 +68,13 @@ Screen fileOf(const std::filesystem::path& file) {
 }
 
 // What `fringe render` writes.
-Screen rendered(const Session& session, const std::string& scene = kScene) {
+Screen rendered(const Session& session, const std::string& scene = kScene, const Arguments& more = {}) {
     const std::string file = (session.folder() / "rendered.png").string();
-    expectDone(cli::run({"render", scene, "-o", file, "--set", "image.width=500", "--set", "image.height=480",
-                         "--set", "image.samples=4"}));
+    Arguments arguments{
+        "render",         scene, "-o", file, "--set", "image.width=500", "--set", "image.height=480", "--set",
+        "image.samples=4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expectDone(cli::run(arguments));
     return fileOf(file);
 }
 
@@ -247,6 +250,30 @@ TEST(WindowOnDevice, AChangedFileIsReadAgainAndABrokenOneIsNot) {
     expectDone(session.quit());
 }
 
+// Half the radiance is a stop less of exposure, to the bit.
+TEST(WindowOnDevice, AnEditedShaderIsCompiledAndABrokenOneIsNot) {
+    if (!FRINGE_COMPILES_SHADERS) GTEST_SKIP() << "built without the glslang library";
+    const image::TestFolder folder;
+    for (const auto& entry : std::filesystem::directory_iterator(FRINGE_SOURCE_DIR "/shaders"))
+        std::filesystem::copy(entry.path(), folder.path());
+    Session session(previewOf(kScene, {"--shaders", folder.path().string()}));
+    ASSERT_TRUE(session.completes());
+    EXPECT_TRUE(comesToShow(session, rendered(session)));
+    const Screen before = pictureOf(session);
+    const std::string good = image::bytesOf(folder / "render.glsl");
+    const std::string sum = "result.sum += sample_.radiance;";
+    const auto edit = [&](const std::string& to) {
+        std::string text = good;
+        image::putBytes(folder / "render.glsl", text.replace(text.find(sum), sum.size(), to));
+    };
+    edit("result.sum += ;");
+    EXPECT_TRUE(comesToDiffer(session, before, 0.0));
+    EXPECT_LT(shareOfDifferent(pictureOf(session), before), 0.2);  // a message in its lower part
+    edit("result.sum += 0.5 * sample_.radiance;");
+    EXPECT_TRUE(comesToShow(session, rendered(session, kScene, {"--set", "image.exposure=-1"})));
+    expectDone(session.quit());
+}
+
 TEST(WindowOnDevice, SavesThePictureThatItShows) {
     Session session(previewOf(kScene));
     ASSERT_TRUE(session.completes());
@@ -266,6 +293,13 @@ TEST(Window, WithoutADisplayIsAClearError) {
         EXPECT_EQ(outcome.out, "");
         EXPECT_NE(outcome.err.find("there is no display"), std::string::npos) << outcome.err;
     }
+}
+
+TEST(Window, IsNotOpenedForAFolderWithoutShaders) {
+    const cli::Outcome outcome = cli::run(previewOf(kScene, {"--shaders", FRINGE_SOURCE_DIR "/docs"}));
+    EXPECT_EQ(outcome.status, FRINGE_COMPILES_SHADERS ? 1 : 2);
+    const std::string reason = FRINGE_COMPILES_SHADERS ? "there is no render.comp" : "glslang-dev";
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
 }
 
 TEST(Window, IsNotOpenedForAWrongScene) {

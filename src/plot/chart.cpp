@@ -1,29 +1,18 @@
 #include "plot/chart.hpp"
 
-#include <cairo-svg.h>
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <numbers>
 
-#include "image/pending_file.hpp"
+#include "plot/canvas.hpp"
 #include "plot/ticks.hpp"
 
 namespace fringe::plot {
 namespace {
-
-using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-
-// Points of 1/72 inch in SVG; a PNG has kPixelsPerPoint times as many.
-constexpr double kWidth = 960.0, kHeight = 540.0;
-constexpr double kPixelsPerPoint = 2.0;
 
 // The frame of the curve.
 constexpr double kLeft = 88.0, kRight = kWidth - 24.0, kTop = 172.0, kBottom = kHeight - 90.0;
@@ -31,31 +20,23 @@ constexpr double kStripTop = kHeight - 30.0, kStripBottom = kHeight - 10.0;
 
 constexpr double kLegend = 58.0;  // of the second curve
 
-constexpr double kTextSize = 12.0, kTitleSize = 15.0;
 constexpr double kLabelSpacing = 14.0;  // of labels that stand upright
 constexpr double kHeadroom = 1.06;      // the frame is this much higher than the curve
 
-std::string extensionOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-// Draws onto a context whose unit is the point.
-class Drawing {
+// Draws a chart.
+class Drawing : Canvas {
 public:
-    Drawing(cairo_t* context, const Chart& chart)
-        : cr_(context), chart_(chart), xMin_(chart.x.front()), xMax_(chart.x.back()) {
+    Drawing(const Canvas& canvas, const Chart& chart)
+        : Canvas(canvas),
+          cr_(canvas.context()),
+          chart_(chart),
+          xMin_(chart.x.front()),
+          xMax_(chart.x.back()) {
         const double highest = highestShown(chart.y, chart.reference.y);
         yMax_ = highest > 0.0 ? kHeadroom * highest : 1.0;
     }
 
     void run() {
-        cairo_set_source_rgb(cr_, 1.0, 1.0, 1.0);
-        cairo_paint(cr_);
-        cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
         grid();
         reference();
         curve(chart_.y);
@@ -74,27 +55,6 @@ public:
 private:
     double toX(double x) const { return kLeft + (x - xMin_) / (xMax_ - xMin_) * (kRight - kLeft); }
     double toY(double y) const { return kBottom - y / yMax_ * (kBottom - kTop); }
-
-    void ink(double grey) { cairo_set_source_rgb(cr_, grey, grey, grey); }
-
-    void line(double x1, double y1, double x2, double y2) {
-        cairo_move_to(cr_, x1, y1);
-        cairo_line_to(cr_, x2, y2);
-        cairo_stroke(cr_);
-    }
-
-    // `anchor`: 0 puts the text's beginning at the point, 0.5 its middle, 1 its end.
-    void text(const std::string& words, double x, double y, double size, double anchor, double turn = 0.0) {
-        cairo_set_font_size(cr_, size);
-        cairo_text_extents_t extents;
-        cairo_text_extents(cr_, words.c_str(), &extents);
-        cairo_save(cr_);
-        cairo_translate(cr_, x, y);
-        cairo_rotate(cr_, turn);
-        cairo_move_to(cr_, -anchor * extents.x_advance, 0.0);
-        cairo_show_text(cr_, words.c_str());
-        cairo_restore(cr_);
-    }
 
     void grid() {
         cairo_set_line_width(cr_, 0.8);
@@ -222,22 +182,6 @@ private:
     double xMin_, xMax_, yMax_;
 };
 
-cairo_status_t append(void* file, const unsigned char* bytes, unsigned size) {
-    return static_cast<image::PendingFile*>(file)->write(bytes, size) ? CAIRO_STATUS_SUCCESS
-                                                                      : CAIRO_STATUS_WRITE_ERROR;
-}
-
-void require(cairo_status_t status, const image::PendingFile& file) {
-    if (status != CAIRO_STATUS_SUCCESS) file.fail(cairo_status_to_string(status));
-}
-
-void draw(cairo_surface_t* surface, double scale, const Chart& chart, const image::PendingFile& file) {
-    const ContextPointer context(cairo_create(surface), &cairo_destroy);
-    cairo_scale(context.get(), scale, scale);
-    Drawing(context.get(), chart).run();
-    require(cairo_status(context.get()), file);
-}
-
 }  // namespace
 
 double highestShown(std::span<const double> y, std::span<const double> reference) {
@@ -248,29 +192,9 @@ double highestShown(std::span<const double> y, std::span<const double> reference
     return highest > 0.0 ? std::max(highest, std::min(other, kRoom * highest)) : other;
 }
 
-bool isChartFile(const std::filesystem::path& path) {
-    const std::string extension = extensionOf(path);
-    return extension == ".svg" || extension == ".png";
-}
-
 void writeChart(const std::filesystem::path& path, const Chart& chart) {
-    assert(isChartFile(path) && chart.x.size() >= 2 && chart.x.size() == chart.y.size());
-    image::PendingFile file(path);
-    if (extensionOf(path) == ".svg") {
-        const SurfacePointer surface(cairo_svg_surface_create_for_stream(append, &file, kWidth, kHeight),
-                                     &cairo_surface_destroy);
-        draw(surface.get(), 1.0, chart, file);
-        cairo_surface_finish(surface.get());
-        require(cairo_surface_status(surface.get()), file);
-    } else {
-        const SurfacePointer surface(
-            cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPixelsPerPoint * kWidth),
-                                       static_cast<int>(kPixelsPerPoint * kHeight)),
-            &cairo_surface_destroy);
-        draw(surface.get(), kPixelsPerPoint, chart, file);
-        require(cairo_surface_write_to_png_stream(surface.get(), append, &file), file);
-    }
-    file.commit();
+    assert(chart.x.size() >= 2 && chart.x.size() == chart.y.size());
+    writeDrawing(path, [&](const Canvas& canvas) { Drawing(canvas, chart).run(); });
 }
 
 }  // namespace fringe::plot

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/file_error.hpp"
+#include "plot/chart_file.hpp"
 
 namespace fringe::plot {
 
@@ -44,9 +45,6 @@ inline constexpr std::size_t kStripColumns = 1600;
 
 // The largest value that a chart of a curve and its reference (none: empty) has to show.
 double highestShown(std::span<const double> y, std::span<const double> reference);
-
-// Whether the extension names a format of charts, .svg or .png in any case.
-bool isChartFile(const std::filesystem::path& path);
 
 // Where there is no room for all marks, the highest have labels. The file appears whole or not at all. Throws
 // image::FileError. Precondition: isChartFile(path).

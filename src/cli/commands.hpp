@@ -26,6 +26,7 @@ void addDevices(CLI::App& app, Command& chosen);
 void addProfile(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
 void addStress(CLI::App& app, Command& chosen);
+void addBench(CLI::App& app, Command& chosen);
 
 inline constexpr int kDone = 0;
 inline constexpr int kWrongInput = 1;

@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
     cli::addProfile(app, chosen);
     cli::addCompare(app, chosen);
     cli::addStress(app, chosen);
+    cli::addBench(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -27,9 +27,10 @@ public:
     bool render(std::uint32_t firstRow, std::uint32_t rowCount, std::span<image::Pixel> out, unsigned threads,
                 const std::atomic<bool>& cancelled) const;
 
-private:
+    // One of these pixels.
     image::Pixel pixel(std::uint32_t x, std::uint32_t y, const std::atomic<bool>& cancelled) const;
 
+private:
     scene::Image image_;
     Camera camera_;
     World world_;

@@ -1,0 +1,33 @@
+// What `fringe bench` found, as JSON rows, and what is made of them: tables, CSV, a chart. Of a row `group`,
+// `case` and `setting` are the name; `error` and `time_ms` are what it is about.
+#pragma once
+
+#include <json/json.h>
+
+#include <optional>
+#include <string>
+
+#include "plot/scatter.hpp"
+#include "qualify/bench_frames.hpp"
+#include "qualify/bench_skip.hpp"
+
+namespace fringe::cli {
+
+Json::Value toJson(const qualify::FrameRow& row);
+Json::Value toJson(const qualify::SkipRow& row);
+
+// A row's name: "frames: spheres, 10000".
+std::string nameOf(const Json::Value& row);
+
+// The line over rows of a group, and that of a row.
+std::string tableHead(const std::string& group);
+std::string tableLine(const Json::Value& row);
+
+// A header with every key of any row, those of nested objects joined by dots, and a line for each row.
+std::string csvOf(const Json::Value& rows);
+
+// Error against time, of the rows that were judged by a time and an error above zero: a series for each case.
+// Nothing where there are none.
+std::optional<plot::Scatter> scatterOf(const Json::Value& report);
+
+}  // namespace fringe::cli

@@ -16,16 +16,19 @@
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "image/pending_file.hpp"
+#include "qualify/bench_evaluators.hpp"
 #include "version.hpp"
 
 namespace fringe::cli {
 namespace {
 
 struct BenchOptions {
+    bool evaluators = false;
     bool frames = false;
     bool skip = false;
     std::vector<std::string> cases;
     int rounds = 7;
+    double tolerance = 1e-3;
     std::vector<std::string> outputs;
     std::string compareWith;
     double allowed = 1.3;
@@ -34,7 +37,7 @@ struct BenchOptions {
     bool quiet = false;
     bool json = false;
 
-    bool all() const { return !frames && !skip; }
+    bool all() const { return !evaluators && !frames && !skip; }
     bool wants(std::string_view name) const {
         return cases.empty() || std::find(cases.begin(), cases.end(), name) != cases.end();
     }
@@ -48,6 +51,8 @@ constexpr const char* kClock =
 
 std::vector<std::string_view> knownCases(const BenchOptions& options) {
     std::vector<std::string_view> known;
+    if (options.all() || options.evaluators)
+        for (const qualify::EvaluatorCase& which : qualify::evaluatorCases()) known.push_back(which.name);
     if (options.all() || options.frames)
         for (const qualify::FrameCase& frameCase : qualify::frameCases()) known.push_back(frameCase.name);
     if (options.all() || options.skip)
@@ -59,7 +64,7 @@ void requireCases(const BenchOptions& options) {
     const std::vector<std::string_view> known = knownCases(options);
     for (const std::string& name : options.cases) {
         if (std::find(known.begin(), known.end(), name) == known.end())
-            throw InputError(fmt::format("no case \"{}\"; there are {}", name, fmt::join(known, ", ")));
+            throw InputError(fmt::format("no case \"{}\"; there are\n  {}", name, fmt::join(known, "\n  ")));
     }
 }
 
@@ -112,6 +117,7 @@ public:
         report_["compiler"] = kCompiler;
         report_["clock"] = kClock;
         report_["options"]["rounds"] = options.rounds;
+        report_["options"]["tolerance"] = options.tolerance;
         for (const std::string& name : options.cases) report_["options"]["cases"].append(name);
         report_["rows"] = Json::arrayValue;
         if (!options.json) {
@@ -121,6 +127,7 @@ public:
     }
 
     void run() {
+        if (options_.all() || options_.evaluators) runEvaluators();
         if (options_.all() || options_.frames) runFrames();
         if (options_.all() || options_.skip) runSkip();
     }
@@ -138,6 +145,17 @@ private:
                                               .onProgress = [&](double done) { progress.show(done); }});
         }();
         for (const auto& row : rows) show(toJson(row));
+    }
+
+    void runEvaluators() {
+        for (const qualify::EvaluatorCase& which : qualify::evaluatorCases()) {
+            if (!options_.wants(which.name) || interrupted()) continue;
+            qualify::EvaluatorRequest request;
+            request.tolerance = options_.tolerance;
+            measure([&](const qualify::BenchControl& control) {
+                return qualify::benchEvaluators(device_, which, request, control);
+            });
+        }
     }
 
     void runFrames() {
@@ -164,6 +182,9 @@ private:
         if (options_.json) return;
         const std::string group = row["group"].asString();
         if (std::exchange(shown_, group) != group) fmt::print("\n{}\n", tableHead(group));
+        const std::string caseName = row["case"].asString();
+        if (group == "evaluators" && std::exchange(shownCase_, caseName) != caseName)
+            fmt::print("{}\n", caseName);
         fmt::print("{}\n", tableLine(row));
         std::fflush(stdout);  // the next case takes seconds
     }
@@ -171,7 +192,8 @@ private:
     const gpu::Device& device_;
     const BenchOptions& options_;
     Json::Value report_;
-    std::string shown_;  // the group whose head is the last one
+    std::string shown_;      // the group whose head is the last one
+    std::string shownCase_;  // of an evaluator
 };
 
 // ---- the results ------------------------------------------------------------------------------------
@@ -256,6 +278,9 @@ void addBench(CLI::App& app, Command& chosen) {
     CLI::App* command =
         app.add_subcommand("bench", "Measure run time against error on this device, and what features cost");
     const auto options = std::make_shared<BenchOptions>();
+    command->add_flag(
+        "--evaluators", options->evaluators,
+        "ways to the colour of slits, from one slit to a million, beside a sum by the processor");
     command->add_flag("--frames", options->frames,
                       "whole frames: samples, tiles, sizes, numbers of gratings and of spheres, physics");
     command->add_flag("--skip", options->skip,
@@ -264,6 +289,10 @@ void addBench(CLI::App& app, Command& chosen) {
         ->allow_extra_args(false);
     command->add_option("--rounds", options->rounds, "timings of each setting")
         ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        ->add_option("--tolerance", options->tolerance, "largest error that \"auto\" is to keep, of the peak")
+        ->check(CLI::Range(1e-5, 0.1))
         ->capture_default_str();
     command
         ->add_option("-o,--output", options->outputs,
@@ -276,7 +305,8 @@ void addBench(CLI::App& app, Command& chosen) {
         ->needs(compare)
         ->capture_default_str();
     command->add_flag("--check", options->check,
-                      "status 3 where a picture is wrong, or --compare finds something worse");
+                      "status 3 where a picture is wrong, \"auto\" misses its tolerance, or --compare finds "
+                      "something worse");
     command->add_option("--device", options->device, "Vulkan device, by index or part of its name");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->add_flag("--json", options->json, "print the report as JSON");

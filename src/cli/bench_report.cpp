@@ -37,6 +37,12 @@ std::string kib(const Json::Value& bytes) {
     return fmt::format("{:.1f}", bytes.asDouble() / 1024.0);
 }
 
+// What is said of an evaluator beside its name.
+std::string wordsOf(const Json::Value& row) {
+    const std::string setting = row["setting"].asString(), detail = row["detail"].asString();
+    return setting.empty() || detail.empty() ? setting + detail : setting + ", " + detail;
+}
+
 // Every leaf of a row, by its keys joined by dots.
 void flatten(const Json::Value& value, const std::string& key, std::map<std::string, std::string>& cells) {
     if (value.isObject()) {
@@ -57,7 +63,45 @@ std::string csvCell(const std::string& text) {
     return fmt::format("\"{}\"", quoted);
 }
 
+plot::ScatterSeries& seriesNamed(const std::string& name, std::vector<plot::ScatterSeries>& all) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& series) { return series.name == name; });
+    return found != all.end() ? *found : all.emplace_back(plot::ScatterSeries{name, {}});
+}
+
+std::vector<plot::ScatterPoint> frontOf(const std::vector<plot::ScatterPoint>& points) {
+    std::vector<qualify::Costs> costs;
+    for (const plot::ScatterPoint& point : points) costs.push_back({point.x, point.y});
+    std::vector<plot::ScatterPoint> front;
+    for (const std::size_t i : qualify::paretoFront(costs)) front.push_back(points[i]);
+    return front;
+}
+
 }  // namespace
+
+Json::Value toJson(const qualify::EvaluatorRow& row) {
+    Json::Value json;
+    json["group"] = "evaluators";
+    json["case"] = row.caseName;
+    json["evaluator"] = row.evaluator;
+    json["setting"] = row.setting;
+    json["detail"] = row.detail;
+    json["error"]["judged"] = Json::UInt64{row.judged};
+    json["error"]["not_finite"] = Json::UInt64{row.nonFinite};
+    if (row.judged > row.nonFinite) {
+        json["error"]["largest"] = row.maxError;
+        json["error"]["rms"] = row.rmsError;
+        json["error"]["delta_e"] = row.deltaE;
+        json["error"]["worst_u"] = row.worstInput;
+    }
+    if (row.bound) json["bound"] = *row.bound;
+    json["verified"] = row.isVerified();
+    if (row.perMillion_ms) json["time_ms"] = toJson(*row.perMillion_ms);
+    if (row.ratio) json["ratio"] = toJson(*row.ratio);
+    json["table_bytes"] = Json::UInt64{row.tableBytes};
+    json["build_s"] = row.buildSeconds;
+    return json;
+}
 
 Json::Value toJson(const qualify::FrameRow& row) {
     Json::Value json;
@@ -98,6 +142,10 @@ std::string nameOf(const Json::Value& row) {
 }
 
 std::string tableHead(const std::string& group) {
+    if (group == "evaluators") {
+        return fmt::format("{:<12} {:<31} {:>12} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}", "evaluator", "setting",
+                           "ms a million", "+-", "ratio", "rms error", "largest", "Delta E", "KiB");
+    }
     if (group == "frames") {
         return fmt::format("{:<16} {:<14} {:>10} {:>9} {:>7} {:>7} {:>9} {:>9} {:>7}", "frames", "setting",
                            "ms a frame", "+-", "ratio", "+-", "rms error", "largest", "Delta E");
@@ -108,8 +156,20 @@ std::string tableHead(const std::string& group) {
 
 std::string tableLine(const Json::Value& row) {
     std::string line;
+    const Json::Value& error = row["error"];
+    if (row["group"] == "evaluators") {
+        line =
+            fmt::format("{:<12} {:<31} {:>12} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}",
+                        row["evaluator"].asString(), wordsOf(row), number(row["time_ms"]["median"], "{:.2f}"),
+                        number(row["time_ms"]["spread"], "{:.2f}"), number(row["ratio"]["median"], "{:.2f}"),
+                        number(error["rms"], "{:.1e}"), number(error["largest"], "{:.1e}"),
+                        number(error["delta_e"], "{:.2f}"), kib(row["table_bytes"]));
+        if (error["not_finite"].asUInt64() > 0)
+            line += fmt::format("  {} of {} not a number", error["not_finite"].asUInt64(),
+                                error["judged"].asUInt64());
+        return row["verified"].asBool() ? line : line + fmt::format("  BEYOND {:g}", row["bound"].asDouble());
+    }
     if (row["group"] == "frames") {
-        const Json::Value& error = row["error"];
         line = fmt::format("{:<16} {:<14} {:>10} {:>9} {:>7} {:>7} {:>9.1e} {:>9.1e} {:>7.2f}",
                            row["case"].asString(), row["setting"].asString(),
                            number(row["time_ms"]["median"], "{:.2f}"),
@@ -152,28 +212,36 @@ std::string csvOf(const Json::Value& rows) {
 }
 
 std::optional<plot::Scatter> scatterOf(const Json::Value& report) {
-    std::vector<plot::ScatterSeries> series;
-    std::vector<plot::ScatterPoint> all;
-    std::vector<qualify::Costs> costs;
-    for (const Json::Value& row : report["rows"]) {
-        const double time = row["time_ms"]["median"].asDouble(), error = row["error"]["rms"].asDouble();
-        if (row["group"] == "skip" || !row["verified"].asBool() || !(time > 0.0) || !(error > 0.0)) continue;
-        const std::string name = row["case"].asString();
-        auto found =
-            std::find_if(series.begin(), series.end(), [&](const auto& s) { return s.name == name; });
-        if (found == series.end()) found = series.insert(series.end(), {name, {}});
-        found->points.push_back({time, error, row["setting"].asString()});
-        all.push_back(found->points.back());
-        costs.push_back({time, error});
-    }
-    if (all.empty()) return std::nullopt;
+    const auto has = [&](const char* group) {
+        return std::any_of(report["rows"].begin(), report["rows"].end(),
+                           [&](const Json::Value& row) { return row["group"] == group; });
+    };
+    const bool isOfEvaluators = has("evaluators");
     plot::Scatter scatter{.title = "Error against time",
                           .subtitle = report["device"].asString() + ", " + report["driver"].asString(),
-                          .xLabel = "milliseconds of a frame, by the host's clock",
-                          .yLabel = "root mean square error of a pixel, against the peak",
-                          .series = std::move(series),
-                          .front = {}};
-    for (const std::size_t i : qualify::paretoFront(costs)) scatter.front.push_back(all[i]);
+                          .xLabel = isOfEvaluators
+                                        ? "milliseconds for a million evaluations, by the host's clock"
+                                        : "milliseconds of a frame, by the host's clock",
+                          .yLabel = isOfEvaluators ? "largest error, against the peak of the case"
+                                                   : "root mean square error of a pixel, against the peak",
+                          .series = {},
+                          .fronts = {}};
+    std::map<std::string, std::vector<plot::ScatterPoint>> cases;
+    for (const Json::Value& row : report["rows"]) {
+        if (row["group"] != (isOfEvaluators ? "evaluators" : "frames")) continue;
+        const double time = row["time_ms"]["median"].asDouble(),
+                     error = row["error"][isOfEvaluators ? "largest" : "rms"].asDouble();
+        if (!(time > 0.0) || !(error > 0.0)) continue;
+        const plot::ScatterPoint point{
+            time, error,
+            isOfEvaluators ? row["evaluator"].asString() + " " + wordsOf(row) : row["setting"].asString()};
+        seriesNamed(row[isOfEvaluators ? "evaluator" : "case"].asString(), scatter.series)
+            .points.push_back(point);
+        cases[row["case"].asString()].push_back(point);
+    }
+    if (cases.empty()) return std::nullopt;
+    if (cases.size() == 1) scatter.title += ": " + cases.begin()->first;
+    for (const auto& [name, points] : cases) scatter.fronts.push_back(frontOf(points));
     return scatter;
 }
 

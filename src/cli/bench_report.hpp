@@ -10,9 +10,11 @@
 #include "plot/scatter.hpp"
 #include "qualify/bench_frames.hpp"
 #include "qualify/bench_skip.hpp"
+#include "qualify/evaluator_row.hpp"
 
 namespace fringe::cli {
 
+Json::Value toJson(const qualify::EvaluatorRow& row);
 Json::Value toJson(const qualify::FrameRow& row);
 Json::Value toJson(const qualify::SkipRow& row);
 
@@ -26,8 +28,9 @@ std::string tableLine(const Json::Value& row);
 // A header with every key of any row, those of nested objects joined by dots, and a line for each row.
 std::string csvOf(const Json::Value& rows);
 
-// Error against time, of the rows that were judged by a time and an error above zero: a series for each case.
-// Nothing where there are none.
+// Error against time, of the rows that have both, above zero: of evaluators, a series for each; where there
+// are none, of frames, a series for each case. The fronts are those of single cases. Nothing where there are
+// no such rows.
 std::optional<plot::Scatter> scatterOf(const Json::Value& report);
 
 }  // namespace fringe::cli

@@ -38,8 +38,10 @@ struct LogAxis {
     void include(double value) {
         first = std::min(first, std::floor(std::log10(value)));
         last = std::max(last, std::ceil(std::log10(value)));
-        if (first == last) last += 1.0;
     }
+
+    // When all values are included: one decade at least.
+    void close() { last = std::max(last, first + 1.0); }
 
     // 0 at the first power, 1 at the last.
     double place(double value) const { return (std::log10(value) - first) / (last - first); }
@@ -61,11 +63,13 @@ public:
                 y_.include(point.y);
             }
         }
+        x_.close();
+        y_.close();
     }
 
     void run() {
         grid();
-        front();
+        fronts();
         for (std::size_t i = 0; i < scatter_.series.size(); ++i) series(i);
         labels();
         ink(0.1);
@@ -101,14 +105,19 @@ private:
         text(scatter_.yLabel, 22.0, 0.5 * (kTop + kBottom), kTextSize, 0.5, -0.5 * std::numbers::pi);
     }
 
-    void front() {
-        cairo_set_line_width(cr_, 1.0);
-        ink(0.55);
+    void frontLine(const std::vector<ScatterPoint>& front) {
+        ink(0.7);
         cairo_new_path(cr_);
-        for (const ScatterPoint& point : scatter_.front) cairo_line_to(cr_, toX(point.x), toY(point.y));
+        for (const ScatterPoint& point : front) cairo_line_to(cr_, toX(point.x), toY(point.y));
         cairo_stroke(cr_);
+    }
+
+    void fronts() {
+        cairo_set_line_width(cr_, 1.0);
+        for (const auto& front : scatter_.fronts) frontLine(front);
         ink(0.1);
-        for (const ScatterPoint& point : scatter_.front) ring(toX(point.x), toY(point.y));
+        for (const auto& front : scatter_.fronts)
+            for (const ScatterPoint& point : front) ring(toX(point.x), toY(point.y));
         ring(kLegend, kBottom - 4.0);
         text("none is both faster and closer", kLegend + 12.0, kBottom, kTextSize, 0.0);
     }
@@ -134,10 +143,12 @@ private:
         text(scatter_.series[number].name, kLegend + 12.0, y, kTextSize, 0.0);
     }
 
-    // To the right of a point and above it, where the front has none.
+    // To the right of a point and above it, where the front has none. Of several fronts labels would cover
+    // each other.
     void labels() {
         ink(0.1);
-        for (const ScatterPoint& point : scatter_.front) {
+        if (scatter_.fronts.size() != 1) return;
+        for (const ScatterPoint& point : scatter_.fronts.front()) {
             const bool right = x_.place(point.x) < 0.8;
             text(point.label, toX(point.x) + (right ? 8.0 : -8.0), toY(point.y) - 6.0, kTextSize,
                  right ? 0.0 : 1.0);

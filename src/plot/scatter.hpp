@@ -29,8 +29,9 @@ struct Scatter {
     std::string xLabel;
     std::string yLabel;
     std::vector<ScatterSeries> series;  // with one point or more in all
-    // In the order of their x, as points that the series hold: joined by a line, ringed and labelled.
-    std::vector<ScatterPoint> front;
+    // Points that the series hold, each list in the order of its x: joined by a line and ringed; labelled
+    // where there is but one list.
+    std::vector<std::vector<ScatterPoint>> fronts;
 };
 
 // The file appears whole or not at all. Throws image::FileError. Precondition: isChartFile(path).

@@ -1,32 +1,33 @@
-// Run time against error, as `fringe bench` measures and shows it: one row for each way of computing
-// something on a case.
+// What all benchmarks share: what they are told, and what repeated timings come to.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
+#include <atomic>
+#include <functional>
+#include <vector>
 
 namespace fringe::qualify {
 
-struct BenchRow {
-    std::string caseName;   // what is computed, such as "50 slits of 0.8/1.6 um, D65"
-    std::string evaluator;  // by what: "table", "direct", ...
-    std::string setting;    // of the evaluator, such as "81 wavelengths"
+// The value that `share` (0..1) of all do not exceed; between two neighbours in proportion. Of one or more,
+// ascending.
+double quantile(const std::vector<double>& sorted, double share);
 
-    // Against the oracle, relative to its highest value in the case; and CIEDE2000 with that value as white.
-    double maxError = 0.0;
-    double rmsError = 0.0;
-    double worstInput = 0.0;       // where the error is largest: the change of the direction cosine, u
-    std::optional<double> deltaE;  // the largest; nothing where the case has no colour
-    std::uint64_t nonFinite = 0;   // results that are no number, left out of the errors
+// The median, and half the distance between the quartiles.
+struct Spread {
+    double median = 0.0;
+    double half = 0.0;
+};
 
-    // Time per million evaluations by the clock that the report names: the median over the repetitions, and
-    // half the distance between the quartiles.
-    double perMillion_ms = 0.0;
-    double spread_ms = 0.0;
+// Of one value or more.
+Spread spreadOf(std::vector<double> values);
 
-    std::uint64_t tableBytes = 0;
-    double buildSeconds = 0.0;  // of the tables, on the host
+// Of times to others that were taken in the same rounds.
+Spread ratioOf(const std::vector<double>& times, const std::vector<double>& others);
+
+// What a benchmark was told, and whom it tells.
+struct BenchControl {
+    int rounds = 7;                                          // timings of each setting
+    const std::atomic<bool>& cancelled;                      // polled about every 50 ms
+    std::function<void(double)> onProgress = [](double) {};  // share of the case that is done
 };
 
 }  // namespace fringe::qualify

@@ -3,31 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "gpu/device.hpp"
-#include "optics/spectrum.hpp"
-#include "qualify/bench.hpp"
+#include "qualify/evaluator_cases.hpp"
+#include "qualify/evaluator_row.hpp"
 
 namespace fringe::qualify {
-
-// Slits seen through windows of u as wide as a pixel of 0.2 mm a metre
-// away.
-struct EvaluatorCase {
-    std::string_view name;
-    std::uint32_t count;
-    double width_um;
-    double period_um;
-    optics::Spectrum spectrum;
-    double largestSine;     // of the angles at which light leaves, to either side
-    double incoming = 0.0;  // direction cosine of the beam across the slits
-};
-
-std::span<const EvaluatorCase> evaluatorCases();
 
 struct EvaluatorRequest {
     double tolerance = 1e-3;              // for "auto", and for settings that follow from it
@@ -36,14 +19,13 @@ struct EvaluatorRequest {
     // Work of the oracle for a case, in patterns of one wavelength; it says how many inputs are judged, at
     // least 48 and at most 2048.
     double oraclePatterns = 4e7;
-    int repetitions = 7;  // that are timed; 0: judged alone
-    std::function<void(const BenchRow&)> onRow = [](const BenchRow&) {};
 };
 
 // A row for each evaluator and setting that the case can have; "auto" is the first. Times are the host's
-// clock around dispatches of about 60 ms, and around the processor's own sum on two threads. Throws
-// gpu::DeviceError.
-std::vector<BenchRow> benchEvaluators(const gpu::Device& device, const EvaluatorCase& which,
-                                      const EvaluatorRequest& request);
+// clock around dispatches of about 60 ms, and around the processor's own sum on two threads; the evaluators
+// take turns, so that a slow moment of the machine hits all. With no rounds they are judged alone. Nothing
+// when it was cancelled. Throws gpu::DeviceError.
+std::vector<EvaluatorRow> benchEvaluators(const gpu::Device& device, const EvaluatorCase& which,
+                                          const EvaluatorRequest& request, const BenchControl& control);
 
 }  // namespace fringe::qualify

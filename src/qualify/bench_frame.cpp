@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <thread>
+#include <vector>
 
 #include "optics/color_difference.hpp"
 #include "oracle/reference.hpp"
@@ -12,14 +13,6 @@
 
 namespace fringe::qualify {
 namespace {
-
-// In the middle between the neighbours where the place is none of the values'.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
-}
 
 // Of part number `part` of `parts` even ones of `whole`.
 std::uint32_t middleOf(std::uint32_t part, std::uint32_t parts, std::uint32_t whole) {
@@ -31,12 +24,6 @@ glm::dvec3 xyzOf(const image::Pixel& pixel) {
 }
 
 }  // namespace
-
-Spread spreadOf(std::vector<double> values) {
-    assert(!values.empty());
-    std::sort(values.begin(), values.end());
-    return {quantile(values, 0.5), 0.5 * (quantile(values, 0.75) - quantile(values, 0.25))};
-}
 
 BenchFrame::BenchFrame(const gpu::Device& device, const std::string& sceneText)
     : scene_(scene::parseScene(sceneText, "benchmark")),

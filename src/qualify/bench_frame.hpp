@@ -4,34 +4,17 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "compile/compiled_scene.hpp"
 #include "gpu/device.hpp"
 #include "image/image.hpp"
+#include "qualify/bench.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::qualify {
-
-// The median, and half the distance between the quartiles.
-struct Spread {
-    double median = 0.0;
-    double half = 0.0;
-};
-
-// Of one value or more.
-Spread spreadOf(std::vector<double> values);
-
-// What a benchmark was told, and whom it tells.
-struct BenchControl {
-    int rounds = 7;                                          // timings of each setting
-    const std::atomic<bool>& cancelled;                      // polled about every 50 ms
-    std::function<void(double)> onProgress = [](double) {};  // share of the case that is done
-};
 
 class BenchFrame {
 public:

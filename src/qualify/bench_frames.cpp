@@ -192,10 +192,9 @@ private:
             if (!setting.times_ms.empty()) row.dispatch_ms = spreadOf(setting.times_ms);
             const Setting& first = settings_.front();
             if (setting.times_ms.size() == first.times_ms.size() && !first.times_ms.empty()) {
-                std::vector<double> ratios;
-                for (std::size_t i = 0; i < first.times_ms.size(); ++i)
-                    ratios.push_back(setting.times_ms[i] / first.times_ms[i] * first.pixels / setting.pixels);
-                row.ratio = spreadOf(std::move(ratios));
+                row.ratio = ratioOf(setting.times_ms, first.times_ms);
+                row.ratio.median *= first.pixels / setting.pixels;
+                row.ratio.half *= first.pixels / setting.pixels;
             }
             rows.push_back(std::move(row));
         }

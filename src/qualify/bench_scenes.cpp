@@ -84,8 +84,9 @@ SceneParts manyGratingsScene(std::uint32_t count, bool hidden) {
     SceneParts scene = roomScene();
     const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
     for (std::uint32_t i = 0; i < count; ++i) {
-        const double x = -0.9 + 1.8 * (i % columns + 0.5) / columns;
-        const double y = -0.9 + 1.8 * (i / columns + 0.5) / columns;
+        const std::uint32_t row = i / columns, column = i % columns;
+        const double x = -0.9 + 1.8 * (column + 0.5) / columns;
+        const double y = -0.9 + 1.8 * (row + 0.5) / columns;
         const std::string beam = fmt::format(
             R"("efficiency": 1, "beam": {{"profile": "gaussian", "diameter": "40 mm", "power": "{:g} W",
                 "spectrum": {{"type": "laser", "wavelength": "632.8 nm"}}}})",

@@ -77,12 +77,6 @@ std::vector<std::string_view> withTheirOthers(std::span<const std::string> names
     return result;
 }
 
-Spread ratioOf(const std::vector<double>& a, const std::vector<double>& b) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
-    return spreadOf(std::move(ratios));
-}
-
 class Run {
 public:
     Run(const gpu::Device& device, std::span<const std::string> names, const BenchControl& control)

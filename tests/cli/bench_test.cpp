@@ -77,6 +77,29 @@ TEST(BenchOnDevice, ShowsWhatAFeatureCosts) {
     for (const Json::Value& row : report["rows"]) EXPECT_TRUE(row["verified"].asBool());
 }
 
+TEST(BenchOnDevice, SetsEvaluatorsAgainstEachOther) {
+    const TestFolder folder;
+    const Outcome outcome = run(
+        {"bench", "--case", "1 slit of 1 um, D65", "--rounds", "1", "--check", "-o", "a.json", "-o", "a.svg"},
+        {.folder = folder.path()});
+    expectDone(outcome);
+    const Json::Value rows = parsedJson(bytesOf(folder / "a.json"))["rows"];
+    const auto row = [&](const std::string& evaluator, const std::string& setting) {
+        const auto found = std::find_if(rows.begin(), rows.end(), [&](const Json::Value& candidate) {
+            return candidate["evaluator"] == evaluator && candidate["setting"] == setting;
+        });
+        return found == rows.end() ? Json::Value() : *found;
+    };
+    EXPECT_LE(row("auto", "")["error"]["largest"].asDouble(), 1e-3);
+    EXPECT_EQ(row("auto", "")["ratio"]["median"].asDouble(), 1.0);
+    const Json::Value few = row("direct", "3 wavelengths"), many = row("direct", "401 wavelengths");
+    EXPECT_GT(few["error"]["rms"].asDouble(), 100.0 * many["error"]["rms"].asDouble());
+    EXPECT_GT(few["time_ms"]["median"].asDouble(), 0.0);
+    EXPECT_GT(row("processor", "81 wavelengths, 2 threads")["time_ms"]["median"].asDouble(), 0.0);
+    EXPECT_FALSE(row("direct", "81 wavelengths, rounding alone").isMember("time_ms"));
+    EXPECT_TRUE(contains(bytesOf(folder / "a.svg"), "<svg"));
+}
+
 TEST(BenchOnDevice, CtrlCKeepsWhatIsDone) {
     const TestFolder folder;
     Program program({"bench", "--case", "tile", "--rounds", "1000", "-o", "a.json"},

@@ -20,7 +20,7 @@ Scatter scatter() {
             .xLabel = "across",
             .yLabel = "up",
             .series = {{"first", {{1.0, 1e-2, "a"}, {10.0, 1e-4, "b"}}}, {"second", {{20.0, 1e-3, "c"}}}},
-            .front = {{1.0, 1e-2, "a"}, {10.0, 1e-4, "b"}}};
+            .fronts = {{{1.0, 1e-2, "a"}, {10.0, 1e-4, "b"}}}};
 }
 
 std::string svgOf(const Scatter& scatter) {
@@ -56,14 +56,18 @@ TEST(Scatter, DrawsTheSeriesInTheirColours) {
 TEST(Scatter, NeedsNoFrontAndOnePointIsEnough) {
     Scatter one = scatter();
     one.series = {{"only", {{3.0, 5.0, "x"}}}};
-    one.front.clear();
+    one.fronts.clear();
     EXPECT_EQ(countOf(svgOf(one), "nan"), 0U);
 }
 
 TEST(Scatter, LabelsTheFrontAlone) {
     Scatter without = scatter();
-    without.front.clear();
+    without.fronts.clear();
     EXPECT_GT(svgOf(scatter()).size(), svgOf(without).size());
+    // Several are drawn without labels: a line and two rings in place of two words.
+    Scatter twice = scatter();
+    twice.fronts.push_back(twice.fronts.front());
+    EXPECT_LT(countOf(svgOf(twice), "<use"), countOf(svgOf(scatter()), "<use"));
 }
 
 TEST(Scatter, LeavesNothingWhereItCannotBeWritten) {

@@ -90,9 +90,9 @@ TEST_F(LiveShadersTest, AreRefusedWhereTheyDoNotFitTheProgram) {
     refused("bindings.glsl", "uint firstRow;", "uint firstRow; uint added;",
             "binding 1 (FilmBlock) is laid out");
     refused("specialisation.h", "X(10, HAS_DIFFUSE)", "X(99, HAS_DIFFUSE)", "no constant 99 (HAS_DIFFUSE)");
-    refused("specialisation.h", "TEXELS_IN_IMAGES)         \\\n    X(67, HAS_SHADOWS)",
-            "HAS_SHADOWS) \\\n    X(67, TEXELS_IN_IMAGES)",
-            "constant 66 is HAS_SHADOWS, but TEXELS_IN_IMAGES");
+    refused("specialisation.h", "X(11, HAS_CONDUCTORS)           \\\n    X(12, HAS_DIELECTRICS)",
+            "X(11, HAS_DIELECTRICS) \\\n    X(12, HAS_CONDUCTORS)",
+            "constant 11 is HAS_DIELECTRICS, but HAS_CONDUCTORS");
     refused("render.glsl", "void main() {", "void main() { if (double(firstRow) > 1e9) return;",
             "capability 10");
     EXPECT_EQ(next().error, "");

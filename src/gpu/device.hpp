@@ -21,6 +21,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// The device is of no more use, or the surface that it draws on; another one may be.
+class DeviceLost : public DeviceError {
+public:
+    using DeviceError::DeviceError;
+};
+
 // Runs `work` and turns what Vulkan throws into a DeviceError; `doing` completes "... while <doing>".
 template <class Work>
 auto guarded(const std::string& doing, Work&& work) {
@@ -33,9 +39,11 @@ auto guarded(const std::string& doing, Work&& work) {
     } catch (const vk::OutOfHostMemoryError&) {
         throw DeviceError("this machine is out of memory while " + doing + "; render a smaller picture");
     } catch (const vk::DeviceLostError&) {
-        throw DeviceError(
+        throw DeviceLost(
             "the device was lost while " + doing +
             " (driver crash, reset or unplugged); run again, or choose another device with --device");
+    } catch (const vk::SurfaceLostKHRError&) {
+        throw DeviceLost("the desktop took the surface away while " + doing);
     } catch (const vk::Error& error) {
         throw DeviceError(std::string("Vulkan failed while ") + doing + ": " + error.what());
     }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <future>
 
+#include "image/pending_file.hpp"
 #include "preview/document.hpp"
 #include "preview/engine.hpp"
 #include "preview/files.hpp"
@@ -32,6 +33,7 @@ constexpr double kGlance_s = 0.004;   // between two looks whether the engine ha
 constexpr int kFramesToSettle = 2;
 constexpr double kMoving_s = 0.02;               // likewise, to look whether it rests
 constexpr std::chrono::milliseconds kRest(150);  // without a change, and it counts as resting
+constexpr std::chrono::minutes kLosses(1);       // between two of a device, or the second is the last
 
 // The largest place for a picture of this shape, in the middle of what the panels leave of the window; whole
 // multiples are not asked for.
@@ -67,22 +69,63 @@ public:
         const Widgets widgets(window);
         gpu::DeviceRequest request = request_;
         request.surfaceExtensions = desktop.surfaceExtensions();
-        Presenter presenter(window, widgets, request);
-        while (!window.wantsToClose() && !interrupted) frame(window, widgets, presenter);
+        std::vector<std::string> messages;
+        const auto present = [&] {
+            Presenter presenter(window, widgets, request);
+            if (picture_) presenter.setPicture(picture_->width, picture_->height, picture_->rgba);
+            try {
+                while (!window.wantsToClose() && !interrupted) frame(window, widgets, presenter);
+            } catch (const gpu::DeviceLost& error) {
+                heedLoss(error.what());
+            }
+            const auto said = presenter.device().validationMessages();
+            messages.insert(messages.end(), said.begin(), said.end());
+        };
+        try {
+            while (!window.wantsToClose() && !interrupted) present();
+        } catch (const gpu::DeviceError& error) {
+            throw gpu::DeviceError(error.what() + rescued());
+        }
         engine_.close();
-        Outcome outcome{statistics_, engine_.validationMessages()};
-        const auto messages = presenter.device().validationMessages();
-        outcome.validationMessages.insert(outcome.validationMessages.end(), messages.begin(), messages.end());
-        return outcome;
+        const auto said = engine_.validationMessages();
+        messages.insert(messages.begin(), said.begin(), said.end());
+        return {statistics_, std::move(messages)};
     }
 
 private:
+    // A device was lost, the renderer's or the window's: another is opened, but not again and again.
+    void heedLoss(const std::string& message) {
+        const Clock::time_point now = Clock::now();
+        if (lastLoss_ && now - *lastLoss_ < kLosses)
+            throw gpu::DeviceError(message + "; it is the second loss in a row");
+        lastLoss_ = now;
+        notice_ = message.substr(0, message.find(';')) + "; everything was started again";
+    }
+
+    // Writes the scene as the user has changed it, and tells so or why not; nothing if it has not been
+    // changed.
+    std::string rescued() const {
+        if (!document_.isChanged() && !camera_) return {};
+        const std::filesystem::path file = editedFile(*document_.source());
+        try {
+            preview::saveScene(file, sceneText(document_, camera_));
+        } catch (const image::FileError& error) {
+            return fmt::format("; the changed scene could not be saved: {}", error.what());
+        }
+        return fmt::format("; the changed scene is in {}", file.string());
+    }
+
     void frame(Window& window, const Widgets& widgets, Presenter& presenter) {
         // Widgets settle in the frame after the one that an event changed.
         if (waitForChange() || isFlying()) framesDue_ = kFramesToSettle;
         else if (framesDue_ > 0) --framesDue_;
         const Clock::time_point begin = Clock::now();
         news_ = engine_.news();
+        if (const State state = engine_.state(); state.losses != losses_) {
+            losses_ = state.losses;
+            heedLoss(state.error);
+            sendWish(Statistics::Cause::other);
+        }
         takePicture(presenter);
         const std::vector<KeyPress> keys = window.takeKeys();
         presenter.beginWidgets();
@@ -291,6 +334,8 @@ private:
     Settings settings_;
     Statistics statistics_;
     std::uint64_t wishes_ = 0;
+    std::uint64_t losses_ = 0;  // of the renderer's device, that have been heeded
+    std::optional<Clock::time_point> lastLoss_;
     std::optional<scene::Camera> camera_;  // none: the scene's
     std::uint64_t cameraNumber_ = 0;
     bool isMoving_ = false;

@@ -101,13 +101,17 @@ void Engine::run() {
                 state.device = device.description().name;
                 state.driver = device.description().driver;
             });
+            const auto keepMessages = [&] {
+                const auto said = device.validationMessages();
+                validation_.insert(validation_.end(), said.begin(), said.end());
+            };
             try {
                 serve(device);
             } catch (...) {
-                validation_ = device.validationMessages();
+                keepMessages();
                 throw;
             }
-            validation_ = device.validationMessages();
+            keepMessages();
             return;
         } catch (const std::exception& error) {
             const std::scoped_lock lock(mutex_);
@@ -117,6 +121,7 @@ void Engine::run() {
             if (probe_) measured_ = Measured{probe_->number, nullptr, nullptr, error.what()};
             probe_.reset();
             state_.error = error.what();
+            if (dynamic_cast<const gpu::DeviceLost*>(&error) != nullptr) ++state_.losses;
             state_.activity.clear();
         }
         ++news_;

@@ -45,7 +45,7 @@ public:
     // Another number after every new picture or state.
     std::uint64_t news() const { return news_; }
 
-    // What the validation layer has said about the device. Only for after close().
+    // What the validation layer has said about its devices. Only for after close().
     const std::vector<std::string>& validationMessages() const { return validation_; }
 
     // Ends the work. Nothing but validationMessages() may be called afterwards.

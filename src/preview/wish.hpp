@@ -77,6 +77,7 @@ struct State {
     std::string device, driver;       // empty until it is open
     std::string activity;             // what takes time just now; empty: nothing but samples
     std::string error;                // why the last wish is not on show; empty: it is
+    std::uint64_t losses = 0;         // of devices so far; the next wish opens another
     std::string shaderError;          // why the shaders on show are not those of the folder
     std::optional<double> measuring;  // the share that is done; none: nothing is being measured
     std::string specialisation;       // the constants of the pipeline that are not 0

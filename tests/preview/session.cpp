@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 namespace fringe::preview {
 namespace {
@@ -26,6 +27,12 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+std::map<std::string, std::string> with(std::map<std::string, std::string> environment,
+                                        const Display& display) {
+    environment["DISPLAY"] = display.name();
+    return environment;
+}
+
 }  // namespace
 
 bool becomes(const std::function<bool()>& condition) {
@@ -37,10 +44,12 @@ bool becomes(const std::function<bool()>& condition) {
     return true;
 }
 
-Session::Session(const cli::Arguments& arguments, std::shared_ptr<const Display> display)
+Session::Session(const cli::Arguments& arguments, std::shared_ptr<const Display> display,
+                 std::map<std::string, std::string> environment)
     : display_(std::move(display)),
       others_(windowsOn(*display_)),
-      program_(arguments, {.folder = folder_.path(), .environment = {{"DISPLAY", display_->name()}}}) {
+      program_(arguments,
+               {.folder = folder_.path(), .environment = with(std::move(environment), *display_)}) {
     const bool isOpen = becomes([&] {
         for (const std::string& window : windowsOn(*display_))
             if (std::find(others_.begin(), others_.end(), window) == others_.end()) window_ = window;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ class Session {
 public:
     // Starts it in a folder of its own, and waits for the window.
     explicit Session(const cli::Arguments& arguments,
-                     std::shared_ptr<const Display> display = std::make_shared<const Display>());
+                     std::shared_ptr<const Display> display = std::make_shared<const Display>(),
+                     std::map<std::string, std::string> environment = {});
 
     const Display& display() const { return *display_; }
     const std::filesystem::path& folder() const { return folder_.path(); }
@@ -44,6 +46,9 @@ public:
     void resize(int width, int height) const;
     void hide() const;  // as minimising does
     void show() const;
+
+    // Waits for the end, which is to come of itself.
+    cli::Outcome end() { return program_.wait(); }
 
     // Presses Ctrl+Q and waits for the end.
     cli::Outcome quit();

@@ -6,50 +6,13 @@
 #include <map>
 #include <optional>
 
+#include "gpu/folding.hpp"
 #include "gpu/spirv.hpp"
 
 namespace fringe::gpu {
 namespace {
 
 using namespace spirv;
-
-// What an operation makes of its operands; booleans are 0 and 1. None: it is not one of those known here.
-std::optional<std::uint32_t> compute(Opcode operation, std::span<const std::uint32_t> x) {
-    switch (operation) {
-        case kIAdd:
-            return x[0] + x[1];
-        case kISub:
-            return x[0] - x[1];
-        case kIMul:
-            return x[0] * x[1];
-        case kShiftLeftLogical:
-            return x[1] < 32 ? x[0] << x[1] : 0;  // SPIR-V leaves the other case undefined
-        case kLogicalEqual:
-        case kIEqual:
-            return x[0] == x[1];
-        case kLogicalNotEqual:
-        case kINotEqual:
-            return x[0] != x[1];
-        case kLogicalOr:
-            return x[0] | x[1];
-        case kLogicalAnd:
-            return x[0] & x[1];
-        case kLogicalNot:
-            return x[0] == 0;
-        case kSelect:
-            return x[0] != 0 ? x[1] : x[2];
-        case kUGreaterThan:
-            return x[0] > x[1];
-        case kUGreaterThanEqual:
-            return x[0] >= x[1];
-        case kULessThan:
-            return x[0] < x[1];
-        case kULessThanEqual:
-            return x[0] <= x[1];
-        default:
-            return std::nullopt;
-    }
-}
 
 class Freezer {
 public:
@@ -111,7 +74,7 @@ private:
             if (value == known_.end()) return std::nullopt;
             operands.push_back(value->second);
         }
-        return compute(static_cast<Opcode>(words[3]), operands);
+        return folded(static_cast<Opcode>(words[3]), operands);
     }
 
     // An ordinary constant of the same type and id as `words`.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/frozen_constants.hpp"
+#include "gpu/live_code.hpp"
 
 namespace fringe::gpu {
 namespace {
@@ -31,7 +32,7 @@ vk::raii::PipelineLayout createLayout(const Device& device, vk::DescriptorSetLay
 
 vk::raii::Pipeline createPipeline(const Device& device, std::span<const std::uint32_t> spirv,
                                   std::span<const std::uint32_t> constants, vk::PipelineLayout layout) {
-    const std::vector<std::uint32_t> code = withFrozenConstants(spirv, constants);
+    const std::vector<std::uint32_t> code = withoutDeadCode(withFrozenConstants(spirv, constants));
     const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, code));
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     return {device.handle(), nullptr,

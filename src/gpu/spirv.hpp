@@ -15,6 +15,7 @@ using Words = std::span<const std::uint32_t>;
 using Id = std::uint32_t;
 
 enum Opcode : std::uint32_t {
+    kUndef = 1,
     kName = 5,
     kEntryPoint = 15,
     kExecutionMode = 16,
@@ -39,13 +40,19 @@ enum Opcode : std::uint32_t {
     kSpecConstant = 50,
     kSpecConstantOp = 52,
     kFunction = 54,
+    kFunctionEnd = 56,
+    kFunctionCall = 57,
     kVariable = 59,
     kLoad = 61,
+    kStore = 62,
+    kCopyMemory = 63,
+    kCopyMemorySized = 64,
     kAccessChain = 65,
     kInBoundsAccessChain = 66,
     kDecorate = 71,
     kMemberDecorate = 72,
     kCopyObject = 83,
+    kImageWrite = 99,
     kIAdd = 128,
     kISub = 130,
     kIMul = 132,
@@ -62,6 +69,20 @@ enum Opcode : std::uint32_t {
     kULessThan = 176,
     kULessThanEqual = 178,
     kShiftLeftLogical = 196,
+    kControlBarrier = 224,
+    kMemoryBarrier = 225,
+    kAtomicStore = 228,
+    kPhi = 245,
+    kLoopMerge = 246,
+    kSelectionMerge = 247,
+    kLabel = 248,
+    kBranch = 249,
+    kBranchConditional = 250,
+    kSwitch = 251,
+    kKill = 252,
+    kReturn = 253,
+    kReturnValue = 254,
+    kUnreachable = 255,
 };
 
 enum Decoration : std::uint32_t {

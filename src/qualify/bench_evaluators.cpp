@@ -57,10 +57,16 @@ struct Timed {
 
 // So many that a run takes about 60 ms.
 std::size_t fittingInputs(const std::function<double(std::size_t)>& run) {
-    constexpr std::size_t kFirst = 1U << 14, kStep = 64;
-    constexpr double kWanted_ms = 60.0;
+    constexpr std::size_t kFirst = 1U << 10, kStep = 64;
+    constexpr double kWanted_ms = 60.0, kTelling_ms = 4.0;
     run(kFirst);  // drivers may compile in the first
-    const double fitting = kFirst * kWanted_ms / std::max(run(kFirst), 1e-3);
+    std::size_t inputs = kFirst;
+    double time_ms = run(inputs);
+    while (time_ms < kTelling_ms && inputs < kMostInputs) {
+        inputs *= 4;
+        time_ms = run(inputs);
+    }
+    const double fitting = static_cast<double>(inputs) * kWanted_ms / std::max(time_ms, 1e-3);
     return static_cast<std::size_t>(std::clamp(fitting, 1.0 * kStep, 1.0 * kMostInputs)) / kStep * kStep;
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "compile/lit_tiles.hpp"
 #include "optics/color_difference.hpp"
 #include "oracle/reference.hpp"
 #include "scene/parse.hpp"
@@ -25,12 +26,13 @@ glm::dvec3 xyzOf(const image::Pixel& pixel) {
 
 }  // namespace
 
-BenchFrame::BenchFrame(const gpu::Device& device, const std::string& sceneText)
+BenchFrame::BenchFrame(const gpu::Device& device, const std::string& sceneText, Gratings gratings)
     : scene_(scene::parseScene(sceneText, "benchmark")),
       compiled_(compile::compileScene(scene_)),
       constants_(compile::specialise(compiled_, scene_.camera)),
-      renderer_(
-          std::make_unique<render::Renderer>(device, compiled_, constants_, render::Values::asConstants)) {}
+      renderer_(std::make_unique<render::Renderer>(
+          device, compiled_, constants_, render::Values::asConstants,
+          gratings == Gratings::whereLit ? compile::litTiles(scene_, compiled_) : compile::LitTiles())) {}
 
 image::Image BenchFrame::render(const std::atomic<bool>& cancelled, std::uint32_t tile) {
     image::Image picture{scene_.image.width, scene_.image.height, {}};

@@ -18,8 +18,14 @@ namespace fringe::qualify {
 
 class BenchFrame {
 public:
-    // Compiles the scene and its pipeline. Keeps a reference to the device. Throws gpu::DeviceError.
-    BenchFrame(const gpu::Device& device, const std::string& sceneText);
+    enum class Gratings {
+        whereLit,   // as `fringe render` has it: tiles that none lights are spared them
+        everywhere  // one pipeline for all of the picture
+    };
+
+    // Compiles the scene and its pipelines. Keeps a reference to the device. Throws gpu::DeviceError.
+    BenchFrame(const gpu::Device& device, const std::string& sceneText,
+               Gratings gratings = Gratings::whereLit);
 
     // A picture; without pixels when it was cancelled.
     image::Image render(const std::atomic<bool>& cancelled, std::uint32_t tile = 0);

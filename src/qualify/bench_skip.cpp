@@ -101,7 +101,8 @@ private:
         for (int round = 0; round < compilations; ++round) {
             for (Pipeline& pipeline : pipelines_) {
                 if (control_.cancelled) return;
-                pipeline.frame = std::make_unique<BenchFrame>(device_, pipeline.text);
+                pipeline.frame =
+                    std::make_unique<BenchFrame>(device_, pipeline.text, BenchFrame::Gratings::everywhere);
                 pipeline.compile_ms.push_back(pipeline.frame->compile_ms());
             }
             control_.onProgress(kCompiling * (round + 1) / compilations);

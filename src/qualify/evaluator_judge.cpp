@@ -17,6 +17,10 @@ using glm::dvec3;
 
 constexpr double kWindow = 2e-4;
 
+// Where Z, Y and X are largest in the first order, the brightest where the undeviated light is left out:
+// errors are relative to the highest value met, which must not depend on chance.
+constexpr std::array<double, 3> kFirstOrder_um{0.446, 0.556, 0.599};
+
 double largest(const dvec3& value) {
     return std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
 }
@@ -24,8 +28,6 @@ double largest(const dvec3& value) {
 }  // namespace
 
 std::vector<EvaluatorWindow> drawWindows(const EvaluatorCase& which, std::uint64_t seed, std::size_t count) {
-    // Where Z, Y and X of daylight are largest in the first order: errors are shares of the brightest place.
-    constexpr std::array kBrightest_um{0.45, 0.555, 0.6};
     const double border = undeviatedUpTo(which);
     const double clear = 2.0 * kWindow + 2.0 / std::max(64.0, 450.0 * which.period_um);
     std::vector<EvaluatorWindow> windows;
@@ -35,8 +37,8 @@ std::vector<EvaluatorWindow> drawWindows(const EvaluatorCase& which, std::uint64
         double u = draw.between(low, high);
         if (number == 0) {
             u = 0.0;
-        } else if (number <= kBrightest_um.size()) {
-            u = std::copysign(kBrightest_um[number - 1] / which.period_um, -which.incoming);
+        } else if (number <= kFirstOrder_um.size()) {
+            u = -kFirstOrder_um[number - 1] / which.period_um;
         } else if (draw.oneIn(4)) {
             u = draw.sign() * draw.magnitude(1e-6, which.largestSine);
         } else if (draw.oneIn(4)) {

@@ -13,8 +13,8 @@
 
 namespace fringe::qualify {
 
-// Small angles and large ones, orders and their side lobes, the first one 0 itself. What lies where the
-// undeviated light changes hands belongs to neither side and is left out.
+// First 0 itself and places in the first order, then small angles and large ones, orders and their side
+// lobes. What lies where the undeviated light changes hands belongs to neither side and is left out.
 std::vector<EvaluatorWindow> drawWindows(const EvaluatorCase& which, std::uint64_t seed, std::size_t count);
 
 struct EvaluatorTruth {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace fringe::gpu {
 namespace {
@@ -48,10 +47,10 @@ Texels::Texels(const Device& device, const std::string& what, std::span<const st
         image_.bindMemory(*memory_, 0);
         if (home == TexelHome::image) {
             const Buffer staging(device, kTexelBytes * extent.width * extent.height, Access::hostWrites);
-            std::memcpy(staging.mapped().data(), records.data(), records.size());
+            std::copy(records.begin(), records.end(), staging.mapped().begin());
             fill(device, staging.handle(), *image_, extent);
         } else {
-            std::memcpy(buffer_.mapped().data(), records.data(), records.size());
+            std::copy(records.begin(), records.end(), buffer_.mapped().begin());
             fill(device, buffer_.handle(), *image_, extent);
         }
         view_ = vk::raii::ImageView(

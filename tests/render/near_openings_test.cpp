@@ -65,17 +65,17 @@ double deviation(const scene::Scene& scene, std::uint32_t step) {
     return worst;
 }
 
-class NearOpenings : public ::testing::TestWithParam<OpeningScene> {};
+class NearOpeningOnDevice : public ::testing::TestWithParam<OpeningScene> {};
 
 // What is left is Fresnel's quadratic phase, which the oracle does not have, the mean over the finite pixel,
 // and 128 or fewer wavelengths: 4e-4, and 1.2e-3 on the slanting wall.
-TEST_P(NearOpenings, AreAsTheSumOfWavesHasThem) {
+TEST_P(NearOpeningOnDevice, IsAsTheSumOfWavesHasIt) {
     EXPECT_LE(deviation(nearScene(GetParam()), 91), 2e-3);
 }
 
 constexpr const char* kObliqueWall = "[0.3, 0.2, 1]";
 INSTANTIATE_TEST_SUITE_P(
-    Kinds, NearOpenings,
+    Kinds, NearOpeningOnDevice,
     ::testing::Values(
         OpeningScene{"rectangle", R"({ "type": "rectangle", "width": "1 mm", "height": "3 mm" })", kGreen,
                      kWhite, 0.006},

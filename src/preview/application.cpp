@@ -117,7 +117,7 @@ private:
 
     void frame(Window& window, const Widgets& widgets, Presenter& presenter) {
         // Widgets settle in the frame after the one that an event changed.
-        if (waitForChange() || isFlying()) framesDue_ = kFramesToSettle;
+        if (waitForChange() || isFlying(window)) framesDue_ = kFramesToSettle;
         else if (framesDue_ > 0) --framesDue_;
         const Clock::time_point begin = Clock::now();
         news_ = engine_.news();
@@ -133,7 +133,7 @@ private:
         const Rectangle place = placeFor(scene_.image, window.pixels(), panelWidth(settings_, window.scale()),
                                          instrumentWidth(instrument_, window.scale()));
         useInstrument(place);
-        navigate(place, keys);
+        navigate(window, place, keys);
         const State state = engine_.state();
         const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond(), notice_};
         PanelActions actions = drawPanel(settings_, document_, facts, window.scale());
@@ -175,9 +175,9 @@ private:
         return false;
     }
 
-    void navigate(const Rectangle& place, std::span<const KeyPress> keys) {
+    void navigate(const Window& window, const Rectangle& place, std::span<const KeyPress> keys) {
         const scene::Camera camera = camera_.value_or(scene_.camera);
-        const auto next = navigated(camera, scene_.camera, place, keys, !instrument_.isOn());
+        const auto next = navigated(camera, scene_.camera, place, window, keys, !instrument_.isOn());
         if (!next) return;
         camera_ = *next;
         ++cameraNumber_;

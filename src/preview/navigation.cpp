@@ -55,11 +55,11 @@ bool hasKeyboard() {
     return !io.WantTextInput && !io.KeyCtrl;
 }
 
-glm::dvec3 flight() {
+glm::dvec3 flight(const Window& window) {
     glm::dvec3 sum(0.0);
     if (!hasKeyboard()) return sum;
     for (const FlightKey& key : kFlightKeys)
-        if (ImGui::IsKeyDown(key.key)) sum += key.direction;
+        if (window.holds(key.key)) sum += key.direction;
     return sum;
 }
 
@@ -76,14 +76,14 @@ std::optional<scene::Camera> dragged(const scene::Camera& camera, double height,
 }
 
 std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Camera& home,
-                                   std::span<const KeyPress> keys) {
+                                   const Window& window, std::span<const KeyPress> keys) {
     if (!hasKeyboard()) return std::nullopt;
     for (const KeyPress& press : keys) {
         if (press.key == GLFW_KEY_H) return home;
         for (const ViewKey& view : kViewKeys)
             if (press.key == view.key) return seenFrom(camera, view.side);
     }
-    const glm::dvec3 direction = flight();
+    const glm::dvec3 direction = flight(window);
     if (direction == glm::dvec3(0.0)) return std::nullopt;
     const double distance = glm::distance(camera.position, camera.target);
     return flown(camera, kFlight * distance * double{ImGui::GetIO().DeltaTime} * direction);
@@ -92,18 +92,18 @@ std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Cam
 }  // namespace
 
 std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
-                                       const Rectangle& place, std::span<const KeyPress> keys,
-                                       bool leftOrbits) {
+                                       const Rectangle& place, const Window& window,
+                                       std::span<const KeyPress> keys, bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
     std::optional<scene::Camera> result = dragged(camera, std::max(1.0, 1.0 * place.height), leftOrbits);
     if (io.MouseWheel != 0.0F && !io.WantCaptureMouse)
         result = dollied(result.value_or(camera), std::pow(kWheel, double{io.MouseWheel}));
-    if (const auto moved = byKey(result.value_or(camera), home, keys)) result = moved;
+    if (const auto moved = byKey(result.value_or(camera), home, window, keys)) result = moved;
     return result;
 }
 
-bool isFlying() {
-    return flight() != glm::dvec3(0.0);
+bool isFlying(const Window& window) {
+    return flight(window) != glm::dvec3(0.0);
 }
 
 std::span<const KeyHelp> navigationHelp() {

@@ -10,14 +10,14 @@
 namespace fringe::preview {
 
 // The camera after what was done since the last frame; nothing if it stays. `home` is the scene's own,
-// `place` that of the picture in the window, `keys` went down. Without `leftOrbits` the left button alone
-// does nothing.
+// `place` that of the picture in the window, `keys` went down in it. Without `leftOrbits` the left button
+// alone does nothing.
 std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
-                                       const Rectangle& place, std::span<const KeyPress> keys,
-                                       bool leftOrbits);
+                                       const Rectangle& place, const Window& window,
+                                       std::span<const KeyPress> keys, bool leftOrbits);
 
 // Whether a key is held that moves the camera for as long as it is.
-bool isFlying();
+bool isFlying(const Window& window);
 
 struct KeyHelp {
     const char* keys;

@@ -42,9 +42,12 @@ GLFWwindow* createWindow(Extent wanted, const std::string& title) {
 }
 
 void onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
+    auto& keyboard = *static_cast<Keyboard*>(glfwGetWindowUserPointer(window));
+    if (action == GLFW_RELEASE) keyboard.held.erase(key);
     if (action != GLFW_PRESS) return;
-    auto* keys = static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window));
-    keys->push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+    const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    keyboard.pressed.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, control});
+    if (!control) keyboard.held.insert(key);
 }
 
 }  // namespace
@@ -70,15 +73,15 @@ std::vector<const char*> Desktop::surfaceExtensions() const {
 }
 
 Window::Window(const Desktop& /*desktop*/, Extent wanted, const std::string& title)
-    : keys_(std::make_unique<std::vector<KeyPress>>()),
+    : keyboard_(std::make_unique<Keyboard>()),
       window_(createWindow(wanted, title), glfwDestroyWindow),
       title_(title) {
-    glfwSetWindowUserPointer(handle(), keys_.get());
+    glfwSetWindowUserPointer(handle(), keyboard_.get());
     glfwSetKeyCallback(handle(), onKey);
 }
 
 std::vector<KeyPress> Window::takeKeys() {
-    return std::exchange(*keys_, {});
+    return std::exchange(keyboard_->pressed, {});
 }
 
 void Window::close() {

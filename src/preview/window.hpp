@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,11 @@ struct KeyPress {
     bool shift, control;
 };
 
+struct Keyboard {
+    std::vector<KeyPress> pressed;  // since they were last taken
+    std::set<int> held;  // that went down without Ctrl: of a command nothing is left when Ctrl goes up first
+};
+
 class Window {
 public:
     // Of about the wanted size in screen coordinates, but no larger than the desktop. Throws WindowError.
@@ -60,8 +66,11 @@ public:
     // The keys that went down since the last call.
     std::vector<KeyPress> takeKeys();
 
+    // Whether it is held down, and was not pressed as a command with Ctrl.
+    bool holds(int key) const { return keyboard_->held.contains(key); }
+
 private:
-    std::unique_ptr<std::vector<KeyPress>> keys_;  // on the heap: GLFW keeps its address
+    std::unique_ptr<Keyboard> keyboard_;  // on the heap: GLFW keeps its address
     std::unique_ptr<GLFWwindow, void (*)(GLFWwindow*)> window_;
     std::string title_;
 };

@@ -222,6 +222,22 @@ TEST(WindowOnDevice, AKnobChangesTheSceneWhichCanBeSaved) {
     expectDone(session.quit());
 }
 
+// Ctrl may go up before the other key of a command, which is then no key to fly with.
+TEST(WindowOnDevice, ACommandDoesNotFly) {
+    const SceneFile file;
+    Session session(previewOf(file.path()));
+    ASSERT_TRUE(session.completes());
+    const Screen before = pictureOf(session);
+    session.display().tool("keydown ctrl keydown s keyup ctrl sleep 0.3 keyup s");
+    ASSERT_TRUE(comesToExist(file.path("scene-edited.json")));
+    EXPECT_LT(shareOfDifferent(pictureOf(session), before), 0.1);  // the notice that it is saved
+    Json::Value saved, scene;
+    std::istringstream(image::bytesOf(file.path("scene-edited.json"))) >> saved;
+    std::istringstream(image::bytesOf(kScene)) >> scene;
+    EXPECT_EQ(saved["camera"], scene["camera"]);
+    expectDone(session.quit());
+}
+
 TEST(WindowOnDevice, ASliderIsFollowedAndItsDelayReported) {
     Session session(previewOf(kScene, {"--stats", "stats.json"}));
     ASSERT_TRUE(session.completes());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "compile/compiled_scene.hpp"
 #include "compile/discs.hpp"
@@ -134,7 +135,7 @@ void setView(const scene::Camera& camera, const scene::Image& image, device::Fra
     setPixelWidth(camera, image, frame);
 }
 
-CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo* memo) {
+CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo* memo, Viewpoint viewpoint) {
     if (memo != nullptr) memo->beginScene();
     CompiledScene out;
     device::Frame& frame = out.frame;
@@ -151,7 +152,10 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo
 
     // Reflectances first: what a light needs depends on what it falls on.
     SpectralTables tables(measure, out.inBands ? device::SPECTRAL_BANDS : 1, memo);
-    out.bandResponses = out.inBands || ripplesShow(scene, frame, continuousBeams(scene));
+    const auto showRipples = [&](std::span<const device::SlitGrating> beams) {
+        return viewpoint == Viewpoint::moving ? !beams.empty() : ripplesShow(scene, frame, beams);
+    };
+    out.bandResponses = out.inBands || showRipples(continuousBeams(scene));
     if (out.bandResponses) tables.divideResponses();
     addMaterials(scene, tables, out);
     addGlowingObjects(scene, tables, out);
@@ -163,7 +167,7 @@ CompiledScene compileScene(const scene::Scene& scene, Measure measure, TableMemo
     if (!out.opticalDiscs.empty()) addDiscSpectra(tables, out);
     addCastingDiscs(scene, out);
     addGratingGrid(scene, out);
-    out.ripples = ripplesShow(scene, frame, out.slitGratings);
+    out.ripples = showRipples(out.slitGratings);
     return out;
 }
 

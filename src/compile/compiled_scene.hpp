@@ -45,13 +45,16 @@ struct CompiledScene {
     std::vector<float> tables;   // colours, refractive indices, and what gratings need beside their record
 };
 
+// Whether the scene is seen by its own camera alone, or setView() may come as close as it likes.
+enum class Viewpoint { fixed, moving };
+
 // The only place where units become floats. The same for the same scene; a memo only spares time
 // (table_memo.hpp).
 CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color,
-                           TableMemo* memo = nullptr);
+                           TableMemo* memo = nullptr, Viewpoint viewpoint = Viewpoint::fixed);
 
 // The part of `frame` that depends on where the scene is seen from, and on the picture's size and samples.
-// The rest of a CompiledScene does not.
+// The rest of a CompiledScene does not if it is for Viewpoint::moving.
 void setView(const scene::Camera& camera, const scene::Image& image, device::Frame& frame);
 
 // The uniform block: the frame, and the arrays that have no more than FEW elements.

@@ -57,7 +57,7 @@ void Rendering::load(const Wish& wish) {
         samplesOfScene_ = std::exchange(scene->image.samples, wish.samples);
         compiled_ = compile::compileScene(
             *scene, wish.switches.wavelength_nm ? compile::Measure::radiance : compile::Measure::color,
-            &memo_);
+            &memo_, compile::Viewpoint::moving);
         development_ = *development;
         scene_ = std::move(scene);
     }

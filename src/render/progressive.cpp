@@ -36,7 +36,6 @@ std::uint64_t Progressive::mostPixels() const {
 
 void Progressive::show(const compile::CompiledScene& scene, device::Specialisation constants,
                        const ShaderCode& shader) {
-    constants.HAS_RIPPLES = scene.slitGratings.empty() ? 0 : 1;  // the camera may come close to them
     constants = specialiseFor(device_, scene, constants);
     frame_ = scene.frame;
     const SceneLayout layout = layOut(scene, device_);

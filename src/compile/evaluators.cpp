@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "compile/gratings.hpp"
 #include "compile/wave_tables.hpp"
 #include "optics/color.hpp"
 
@@ -30,7 +31,7 @@ struct Slits {
     double largestU;  // change of the direction cosine
     ResponseRows rows;
     bool hasGivenOrders;
-    double missed;  // of the highest value, between two steps of a table of wide slits
+    double missed;  // by a table, of the highest value, if they are wide
 };
 
 // Steps of a wide slits' table per micrometre of the period: 0.7 nm in the first order.
@@ -62,19 +63,17 @@ double missedBySteps(const optics::Spectrum& spectrum) {
 Slits slitsOf(const scene::Grating& grating, const optics::Slits& slits, const optics::Spectrum& spectrum,
               ResponseRows rows) {
     const double period_um = slits.count > 1 ? slits.period / um : slits.width / um;
-    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
-    const double alpha = glm::dot(grating.beam.direction, across);
-    const double beta = glm::dot(grating.beam.direction, grating.slitDirection);
-    const double conical = std::sqrt(1.0 - beta * beta);
+    const glm::dvec2 incoming = incomingCosines(grating);
+    const double conical = std::sqrt(1.0 - incoming.y * incoming.y);
     return {.count = 1.0 * slits.count,
             .period_um = period_um,
             .extent_um = (slits.count - 1.0) * period_um + slits.width / um,
             .isWide = areWide(slits),
             .conical = conical,
-            .largestU = conical + std::abs(alpha),
+            .largestU = conical + std::abs(incoming.x),
             .rows = rows,
             .hasGivenOrders = !grating.efficiencies.empty(),
-            .missed = missedBySteps(spectrum)};
+            .missed = areWide(slits) ? missedBySteps(spectrum) : 0.0};
 }
 
 std::string mebibytes(double bytes) {

@@ -57,6 +57,12 @@ Interval extentAlong(const scene::Shape& shape, dvec3 along) {
     return std::visit(IntervalAlong{along}, shape);
 }
 
+Interval extentFrom(dvec3 origin, const scene::Shape& shape, dvec3 along) {
+    const Interval all = extentAlong(shape, along);
+    const double at = glm::dot(origin, along);
+    return {all.low - at, all.high - at};
+}
+
 std::optional<FlatPlane> planeOf(const scene::Shape& shape) {
     if (const auto* s = std::get_if<scene::Plane>(&shape)) return FlatPlane{s->point, s->normal};
     if (const auto* s = std::get_if<scene::Rectangle>(&shape)) {

@@ -24,6 +24,9 @@ inline Interval join(Interval a, Interval b) {
 // What a shape covers along the unit vector `along`, exact.
 Interval extentAlong(const scene::Shape& shape, glm::dvec3 along);
 
+// The same counted from a point.
+Interval extentFrom(glm::dvec3 origin, const scene::Shape& shape, glm::dvec3 along);
+
 // Of a flat shape; `normal` is a unit vector.
 struct FlatPlane {
     glm::dvec3 point, normal;

@@ -173,12 +173,6 @@ optics::Slits withPeriod(optics::Slits slits) {
     return slits;
 }
 
-// Of the beam, across the slits and along them.
-glm::dvec2 incomingCosines(const scene::Grating& grating) {
-    return {glm::dot(grating.beam.direction, glm::cross(grating.slitDirection, grating.normal)),
-            glm::dot(grating.beam.direction, grating.slitDirection)};
-}
-
 // Where slits are, and the shape of their beam: the part of the record that needs no spectrum.
 device::SlitGrating slitBeam(const scene::Grating& grating, const optics::Slits& slits) {
     const scene::Beam& beam = grating.beam;
@@ -215,6 +209,11 @@ double leavingShare(const scene::Grating& grating) {
     if (grating.efficiency) return *grating.efficiency;
     return optics::openFraction(grating.aperture, grating.beam.width / m, grating.beam.height / m,
                                 grating.beam.profile);
+}
+
+glm::dvec2 incomingCosines(const scene::Grating& grating) {
+    return {glm::dot(grating.beam.direction, glm::cross(grating.slitDirection, grating.normal)),
+            glm::dot(grating.beam.direction, grating.slitDirection)};
 }
 
 std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene) {

@@ -22,6 +22,9 @@ struct KnownSlits {
     device::SlitGrating packed;
 };
 
+// Direction cosines of the beam, across the slits and along them.
+glm::dvec2 incomingCosines(const scene::Grating& grating);
+
 // The beams of slits in continuous spectra, as far as ripplesShow() (ripples.hpp) needs them: records without
 // tables and evaluators.
 std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene);

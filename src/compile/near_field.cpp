@@ -38,7 +38,7 @@ public:
     // From where to where along the beam it meets the shape, at the most.
     Interval meets(const scene::Shape& shape) const {
         constexpr Interval kNothing{1.0, 0.0};
-        Interval along = relative(shape, grating_.beam.direction);
+        Interval along = extentFrom(grating_.position, shape, grating_.beam.direction);
         if (const auto plane = planeOf(shape)) {
             const double slope = glm::dot(grating_.beam.direction, plane->normal);
             const double height = glm::dot(plane->point - grating_.position, plane->normal);
@@ -57,7 +57,7 @@ public:
         if (along.low > along.high) return kNothing;
         const double far = std::isfinite(along.high) ? along.high : 1e6;
         const auto misses = [&](const dvec3& across) {
-            const Interval aside = relative(shape, across);
+            const Interval aside = extentFrom(grating_.position, shape, across);
             return std::max(aside.low, -aside.high) > half_ + spread_ * far;
         };
         const dvec3 first = glm::normalize(
@@ -68,12 +68,6 @@ public:
     }
 
 private:
-    Interval relative(const scene::Shape& shape, const dvec3& direction) const {
-        const Interval all = extentAlong(shape, direction);
-        const double origin = glm::dot(grating_.position, direction);
-        return {all.low - origin, all.high - origin};
-    }
-
     const scene::Grating& grating_;
     double half_;
     double spread_;

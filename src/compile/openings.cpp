@@ -255,12 +255,11 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
                                       const SpectralTables& tables, double tolerance, double fresnelNumber,
                                       std::vector<float>& values) {
     const scene::Beam& beam = grating.beam;
-    const glm::dvec3 across = glm::cross(grating.slitDirection, grating.normal);
-    const dvec2 incoming(glm::dot(beam.direction, across), glm::dot(beam.direction, grating.slitDirection));
+    const dvec2 incoming = incomingCosines(grating);
 
     device::OpeningGrating packed{};
     packed.position = glm::vec3(grating.position);
-    packed.across = glm::vec3(across);
+    packed.across = glm::vec3(glm::cross(grating.slitDirection, grating.normal));
     packed.along = glm::vec3(grating.slitDirection);
     packed.normal = glm::vec3(grating.normal);
     packed.incoming = device::vec2(incoming);

@@ -16,12 +16,6 @@ using glm::dvec3;
 constexpr double kLongestWave = 1e-9 * optics::kLongestVisible_nm;
 constexpr double kHidingRipples = 2.0;  // smears of so many ripples hide them wholly
 
-Interval relativeTo(const scene::Shape& shape, dvec3 origin, dvec3 along) {
-    const Interval all = extentAlong(shape, along);
-    const double at = glm::dot(origin, along);
-    return {all.low - at, all.high - at};
-}
-
 // How far from 0 an interval's points lie, at least and at most.
 double nearest(Interval interval) {
     return std::max({interval.low, -interval.high, 0.0});
@@ -40,7 +34,7 @@ double leastPixel(const scene::Scene& scene, const device::Frame& frame, const s
     for (int axis = 0; axis < 3; ++axis) {
         dvec3 along(0.0);
         along[axis] = 1.0;
-        away[axis] = nearest(relativeTo(shape, camera.position, along));
+        away[axis] = nearest(extentFrom(camera.position, shape, along));
     }
     const double lens = perspective->lens ? 0.5 * (perspective->lens->diameter / units::m) : 0.0;
     return frame.pixelAngle * std::max(glm::length(away) - lens, 0.0);
@@ -51,9 +45,9 @@ public:
     explicit Grating(const device::SlitGrating& g) : g_(g) {}
 
     bool showsRippleOn(const scene::Shape& shape, double pixel) const {
-        const Interval height = relativeTo(shape, g_.position, g_.along);
-        const Interval across = relativeTo(shape, g_.position, g_.across);
-        const Interval normal = relativeTo(shape, g_.position, g_.normal);
+        const Interval height = extentFrom(g_.position, shape, g_.along);
+        const Interval across = extentFrom(g_.position, shape, g_.across);
+        const Interval normal = extentFrom(g_.position, shape, g_.normal);
         if (normal.high <= 0.0) return false;  // nothing goes there
         const double range = std::hypot(farthest(across), std::max(normal.high, 0.0));
         if (!std::isfinite(range)) return true;

@@ -16,6 +16,7 @@ using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_
 using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 constexpr double kPixelsPerPoint = 2.0;
+constexpr double kTitleSize = 15.0;
 
 std::string extensionOf(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -65,6 +66,13 @@ void Canvas::text(const std::string& words, double x, double y, double size, dou
     cairo_move_to(cr_, -anchor * extents.x_advance, 0.0);
     cairo_show_text(cr_, words.c_str());
     cairo_restore(cr_);
+}
+
+void Canvas::titles(const std::string& title, const std::string& subtitle, double left) const {
+    ink(0.1);
+    text(title, left, 24.0, kTitleSize, 0.0);
+    ink(0.35);
+    text(subtitle, left, 42.0, kTextSize, 0.0);
 }
 
 bool isChartFile(const std::filesystem::path& path) {

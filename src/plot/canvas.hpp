@@ -14,7 +14,7 @@ namespace fringe::plot {
 
 // Points of 1/72 inch in SVG; a PNG has twice as many pixels.
 inline constexpr double kWidth = 960.0, kHeight = 540.0;
-inline constexpr double kTextSize = 12.0, kTitleSize = 15.0;
+inline constexpr double kTextSize = 12.0;
 
 // A context whose unit is the point, y downwards.
 class Canvas {
@@ -30,6 +30,9 @@ public:
     // `anchor`: 0 puts the text's beginning at the point, 0.5 its middle, 1 its end.
     void text(const std::string& words, double x, double y, double size, double anchor,
               double turn = 0.0) const;
+
+    // At the top, beginning at `left`.
+    void titles(const std::string& title, const std::string& subtitle, double left) const;
 
 private:
     cairo_t* cr_;

@@ -46,10 +46,7 @@ public:
         frame();
         marks();
         strip();
-        ink(0.1);
-        text(chart_.title, kLeft, 24.0, kTitleSize, 0.0);
-        ink(0.35);
-        text(chart_.subtitle, kLeft, 42.0, kTextSize, 0.0);
+        titles(chart_.title, chart_.subtitle, kLeft);
     }
 
 private:

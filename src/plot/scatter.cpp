@@ -72,10 +72,7 @@ public:
         fronts();
         for (std::size_t i = 0; i < scatter_.series.size(); ++i) series(i);
         labels();
-        ink(0.1);
-        text(scatter_.title, kLeft, 24.0, kTitleSize, 0.0);
-        ink(0.35);
-        text(scatter_.subtitle, kLeft, 42.0, kTextSize, 0.0);
+        titles(scatter_.title, scatter_.subtitle, kLeft);
     }
 
 private:

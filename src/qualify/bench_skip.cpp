@@ -24,7 +24,7 @@ constexpr double kMostWrong = 1e-3;
 constexpr int kMostCompilations = 3;
 constexpr double kCompiling = 0.7;  // its share of the work, about
 
-// The SPIR-V as the driver gets it, as render::Renderer makes it.
+// The SPIR-V as render::Renderer makes it; gpu::Kernel then leaves out what is dead.
 std::vector<std::uint32_t> moduleOf(const BenchFrame& frame) {
     const device::SceneBlock block = compile::sceneBlock(frame.compiled());
     std::array<std::uint32_t, device::kSpecialisationCount> constants{};

@@ -19,7 +19,7 @@ struct PipelineCost {
     Spread frame_ms;              // dispatch
     Spread compile_ms;            // pipeline and first dispatch, of one workgroup
     std::size_t liveBytes = 0;    // of SPIR-V that its constants leave (live_code.hpp)
-    std::size_t moduleBytes = 0;  // of the whole module that the driver gets
+    std::size_t moduleBytes = 0;  // of the whole module, before what is dead is left out
 };
 
 struct SkipRow {

@@ -13,16 +13,6 @@ namespace {
 
 using namespace gpu::spirv;
 
-// What of a function is looked at, beside the opcodes of gpu/spirv.hpp.
-enum ControlFlow : std::uint32_t {
-    kFunctionEnd = 56,
-    kFunctionCall = 57,
-    kLabel = 248,
-    kBranch = 249,
-    kBranchConditional = 250,
-    kSwitch = 251,
-};
-
 struct Block {
     std::size_t words = 0;
     std::vector<Id> calls;

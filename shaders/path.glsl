@@ -99,8 +99,8 @@ uint candidates(uint first, uint end, vec3 position) {
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
             if (reachesBand(gratingAt(i), position)) bits |= 1u << i;
         }
-        [[dont_unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
-            if (reachesSlits(slitGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + i);
+        [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
+            if (reachesSlits(scene.slitGratings[i], position)) bits |= 1u << (GRATING_COUNT + i);
         }
         [[unroll]] for (uint i = 0u; i < OPENING_GRATING_COUNT; ++i) {
             if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + SLIT_GRATING_COUNT + i);

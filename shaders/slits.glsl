@@ -10,7 +10,11 @@ bool reachesSlits(SlitGrating g, vec3 position) {
     vec3 offset = position - g.position;
     if (dot(offset, g.normal) <= 0.0) return false;
     GratingView v = viewFrom(g, offset);
-    return abs(v.footY) <= beamEdge(g, v) + SPILL_REACH * fresnelWidth(g, v, LONGEST_WAVE);
+    float beyond = abs(v.footY) - beamEdge(g, v);
+    // beyond <= SPILL_REACH fresnelWidth(), squared twice: without a root where a beam neither slants nor spreads.
+    const float SPILL = 0.5 * SPILL_REACH * SPILL_REACH * LONGEST_WAVE;
+    float square = beyond * beyond, conical2 = v.conical * v.conical;
+    return beyond <= 0.0 || square * square * (conical2 * conical2 * conical2) <= SPILL * SPILL * (v.x * v.x + v.z * v.z);
 }
 
 // Half of the width across the slits that is lit.
@@ -52,23 +56,29 @@ vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uin
                       Landing landing, float blur, float facing) {
     // Sine of the direction from either end; their difference without cancellation.
     float x1 = v.x - right, x2 = v.x - left;
-    float nearness1 = inversesqrt(x1 * x1 + v.z * v.z), nearness2 = inversesqrt(x2 * x2 + v.z * v.z);
-    float both = nearness1 * nearness2;
+    float distance1 = sqrt(x1 * x1 + v.z * v.z), distance2 = sqrt(x2 * x2 + v.z * v.z);
+    float both = 1.0 / (distance1 * distance2);
     float sine = (right - left) * v.z * both;
     float cosine = (x1 * x2 + v.z * v.z) * both;
-    float window = v.conical * v.z * (nearness1 + nearness2) * sine / (1.0 + cosine);
-    float u = 0.5 * v.conical * (x1 * nearness1 + x2 * nearness2) - g.alphaIn;
-    float power = g.irradiance * window * facing * v.rho / (v.conical * v.z);
+    float perDepth = (distance1 + distance2) * both * sine / (1.0 + cosine);
+    float window = v.conical * v.z * perDepth;
+    float u = 0.5 * v.conical * (x1 * distance2 + x2 * distance1) * both - g.alphaIn;
+    float power = g.irradiance * perDepth * facing * v.rho;
 
     float focused = window * abs(1.0 - g.convergence * v.range);
     float width = sqrt(focused * focused + blur * blur);
+    float curvature = v.conical * v.conical / v.range;
+    if (BANDS == 1u && HAS_RIPPLES == 0u) {                // no loop, not even of one turn
+        float landed = landing.inside ? 1.0 : footprint(g, landing.profile, v.footY, curvature, landing.halfHeight,
+                                                        landing.wave.x, landing.wave.y, v.smear.y);
+        return (landed * throughput.band[0] * power) * slitColor(g, reflectance, 0u, u, width);
+    }
     bool bandwise = BANDS > 1u || landing.rippled;
     uint bands = bandwise ? SPECTRAL_BANDS : 1u;
     vec3 sum = vec3(0.0);
     [[dont_unroll]] for (uint k = 0u; k < bands; ++k) {
         vec2 wave = HAS_RIPPLES != 0u && landing.rippled ? waveInBand(g, u, k) : landing.wave;
-        float landed = footprint(g, landing.profile, v.footY, v.conical * v.conical / v.range, landing.halfHeight, wave.x, wave.y,
-                                 v.smear.y);
+        float landed = footprint(g, landing.profile, v.footY, curvature, landing.halfHeight, wave.x, wave.y, v.smear.y);
         if (landing.inside) landed = 1.0;
         sum += landed * throughput.band[BANDS > 1u ? k : 0u] * slitColor(g, reflectance, bandwise ? k + 1u : 0u, u, width);
     }
@@ -234,7 +244,7 @@ vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float 
     float nearness = 1.0 / v.rho;
     vec3 direction = (v.conical * nearness) * (v.x * g.across + v.z * g.normal) + g.betaIn * g.along;
     float facing = -dot(direction, normal);
-    vec3 slant = view / dot(normal, view);
+    vec3 slant = view * (1.0 / dot(normal, view));
     // How fast the sine and the places on the grating that light comes from change across the picture.
     float slope = v.conical * v.z * nearness * nearness * nearness;
     float ofSine = pixel * changeOnSurface(slope * (v.z * g.across - v.x * g.normal), normal, slant);

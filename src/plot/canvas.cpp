@@ -57,15 +57,20 @@ void Canvas::line(double x1, double y1, double x2, double y2) const {
 
 void Canvas::text(const std::string& words, double x, double y, double size, double anchor,
                   double turn) const {
-    cairo_set_font_size(cr_, size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cr_, words.c_str(), &extents);
+    const double width = widthOf(words, size);
     cairo_save(cr_);
     cairo_translate(cr_, x, y);
     cairo_rotate(cr_, turn);
-    cairo_move_to(cr_, -anchor * extents.x_advance, 0.0);
+    cairo_move_to(cr_, -anchor * width, 0.0);
     cairo_show_text(cr_, words.c_str());
     cairo_restore(cr_);
+}
+
+double Canvas::widthOf(const std::string& words, double size) const {
+    cairo_set_font_size(cr_, size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cr_, words.c_str(), &extents);
+    return extents.x_advance;
 }
 
 void Canvas::titles(const std::string& title, const std::string& subtitle, double left) const {

@@ -30,6 +30,7 @@ public:
     // `anchor`: 0 puts the text's beginning at the point, 0.5 its middle, 1 its end.
     void text(const std::string& words, double x, double y, double size, double anchor,
               double turn = 0.0) const;
+    double widthOf(const std::string& words, double size) const;
 
     // At the top, beginning at `left`.
     void titles(const std::string& title, const std::string& subtitle, double left) const;

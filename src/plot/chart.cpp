@@ -15,12 +15,14 @@ namespace fringe::plot {
 namespace {
 
 // The frame of the curve.
-constexpr double kLeft = 88.0, kRight = kWidth - 24.0, kTop = 172.0, kBottom = kHeight - 90.0;
+constexpr double kLeft = 88.0, kRight = kWidth - 24.0, kBottom = kHeight - 90.0;
 constexpr double kStripTop = kHeight - 30.0, kStripBottom = kHeight - 10.0;
 
 constexpr double kLegend = 58.0;  // of the second curve
+constexpr double kBelowTitles = kLegend + 14.0;
 
 constexpr double kLabelSpacing = 14.0;  // of labels that stand upright
+constexpr double kLabelFoot = 21.0;     // where they stand above the frame
 constexpr double kHeadroom = 1.06;      // the frame is this much higher than the curve
 
 // Draws a chart.
@@ -34,6 +36,9 @@ public:
           xMax_(chart.x.back()) {
         const double highest = highestShown(chart.y, chart.reference.y);
         yMax_ = highest > 0.0 ? kHeadroom * highest : 1.0;
+        double longest = 0.0;
+        for (const Mark& mark : chart.marks) longest = std::max(longest, widthOf(mark.label, kTextSize));
+        top_ = kBelowTitles + (chart.marks.empty() ? 0.0 : longest + kLabelFoot);
     }
 
     void run() {
@@ -51,14 +56,14 @@ public:
 
 private:
     double toX(double x) const { return kLeft + (x - xMin_) / (xMax_ - xMin_) * (kRight - kLeft); }
-    double toY(double y) const { return kBottom - y / yMax_ * (kBottom - kTop); }
+    double toY(double y) const { return kBottom - y / yMax_ * (kBottom - top_); }
 
     void grid() {
         cairo_set_line_width(cr_, 0.8);
         const Ticks across = ticksBetween(xMin_, xMax_, 10);
         for (const double x : across.values) {
             ink(0.9);
-            line(toX(x), kTop, toX(x), kBottom);
+            line(toX(x), top_, toX(x), kBottom);
             ink(0.25);
             text(across.label(x), toX(x), kBottom + 16.0, kTextSize, 0.5);
         }
@@ -70,13 +75,13 @@ private:
             text(up.label(y), kLeft - 6.0, toY(y) + 4.0, kTextSize, 1.0);
         }
         text(chart_.xLabel, 0.5 * (kLeft + kRight), kBottom + 36.0, kTextSize, 0.5);
-        text(chart_.yLabel, 22.0, 0.5 * (kTop + kBottom), kTextSize, 0.5, -0.5 * std::numbers::pi);
+        text(chart_.yLabel, 22.0, 0.5 * (top_ + kBottom), kTextSize, 0.5, -0.5 * std::numbers::pi);
     }
 
     void reference() {
         if (chart_.reference.y.empty()) return;
         cairo_save(cr_);
-        cairo_rectangle(cr_, kLeft, kTop, kRight - kLeft, kBottom - kTop);
+        cairo_rectangle(cr_, kLeft, top_, kRight - kLeft, kBottom - top_);
         cairo_clip(cr_);
         curve(chart_.reference.y);
         const auto stroke = [&] {
@@ -118,7 +123,7 @@ private:
     void frame() {
         ink(0.25);
         cairo_set_line_width(cr_, 1.0);
-        cairo_rectangle(cr_, kLeft, kTop, kRight - kLeft, kBottom - kTop);
+        cairo_rectangle(cr_, kLeft, top_, kRight - kLeft, kBottom - top_);
         cairo_stroke(cr_);
     }
 
@@ -143,17 +148,17 @@ private:
         for (std::size_t i = places.size(); i-- > 0; free = places[i] - kLabelSpacing)
             places[i] = std::min(places[i], free);
 
-        constexpr double kKnee = kTop - 6.0, kFoot = kTop - 18.0;
+        const double knee = top_ - 6.0, foot = top_ - kLabelFoot + 3.0;
         for (std::size_t i = 0; i < shown.size(); ++i) {
             const double x = toX(shown[i]->x), y = toY(shown[i]->y);
             cairo_set_source_rgb(cr_, 0.75, 0.3, 0.2);
             cairo_set_line_width(cr_, 0.7);
             cairo_move_to(cr_, x, y - 3.0);
-            cairo_line_to(cr_, x, kKnee);
-            cairo_line_to(cr_, places[i], kFoot);
+            cairo_line_to(cr_, x, knee);
+            cairo_line_to(cr_, places[i], foot);
             cairo_stroke(cr_);
             ink(0.1);
-            text(shown[i]->label, places[i] + 4.0, kFoot - 3.0, kTextSize, 0.0, -0.5 * std::numbers::pi);
+            text(shown[i]->label, places[i] + 4.0, foot - 3.0, kTextSize, 0.0, -0.5 * std::numbers::pi);
         }
     }
 
@@ -177,6 +182,7 @@ private:
     cairo_t* cr_;
     const Chart& chart_;
     double xMin_, xMax_, yMax_;
+    double top_;  // of the curve's frame
 };
 
 }  // namespace

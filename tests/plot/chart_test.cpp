@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 
@@ -81,6 +83,23 @@ TEST(Chart, ShowsTheReference) {
     }
     EXPECT_GE(orange, 3);  // 2.2 points at two pixels each, less their edges
     EXPECT_LE(orange, 6);
+}
+
+TEST(Chart, LeavesRoomForTheLongestLabelUnderTheTitles) {
+    const TestFolder folder;
+    Chart labelled = chart();
+    labelled.title.clear();
+    labelled.marks[0].label = "589.5924 nm +- 0.0012 nm (+1) *";
+    writeChart(folder / "a.png", labelled);
+    const image::Picture picture = image::readImage(folder / "a.png");
+    const auto darkest = [&](std::uint32_t from, std::uint32_t to) {
+        float least = 1.0F;
+        for (std::uint32_t y = from; y < to; ++y)
+            for (std::uint32_t x = 0; x < picture.width; ++x) least = std::min(least, picture.at(x, y).g);
+        return least;
+    };
+    EXPECT_GT(darkest(0, 120), 0.99F);  // title, subtitle and legend end at 60 points
+    EXPECT_LT(darkest(140, 400), 0.5F);
 }
 
 TEST(Chart, IsAnSvgOfLines) {

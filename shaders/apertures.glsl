@@ -2,7 +2,7 @@
 // u, v are the differences of direction cosines, outgoing less incoming, across the slits and along them; lengths come in
 // wavelengths, as (high, low) where one float is too few (phase.glsl, which is included first).
 // The includer defines vec2 apertureVertex(uint first, uint index), a polygon's corners about its centroid, in
-// micrometres, and float maskEntry(uint at), a mask's table.
+// micrometres. Masks have a file of their own (masks.glsl).
 
 // sin(pi x)/(pi x) - 1, with all its digits near 0 (coefficients: docs/aperture_coefficients.py).
 float sincLessOne(float x) {
@@ -58,18 +58,35 @@ vec3 polygonEdge(vec2 uv, vec2 from, vec2 to) {
 
 // ---- means over fringes: the pattern where these are too fine to be told apart --------------------------------------
 
-float slitMean(float x) { return 1.0 / (1.0 + 19.7392088 * x * x); }            // (sin(pi x)/(pi x))^2, sin^2 by its mean
+// What of the integral of (sin(pi x)/(pi x))^2 lies beyond x >= 0, less its ripple: to 0.010, of 1/2 in all, and to
+// 1/(2 pi^2 x) far out (docs/aperture_coefficients.py).
+float slitBeyond(float x) {
+    float rest = 0.0412409334 + x * (-0.0347823661 + x * 0.101321184);
+    return 0.5 * rest / (rest + x * (0.0824818668 + x * x));
+}
+
+// Mean of (sin(pi x)/(pi x))^2 over a window about x. Its total is kept, whatever the window.
+float slitMean(float x, float window) {
+    float wide = max(window, 0.05), near = abs(x) - 0.5 * wide, far = slitBeyond(abs(x) + 0.5 * wide);
+    float beyond = slitBeyond(abs(near));
+    return ((near < 0.0 ? 1.0 - beyond : beyond) - far) / wide;
+}
+
 float airyMean(float x) { return 1.0 / (1.0 + 24.3522727 * x * x * x); }        // pi^4/4: DLMF 10.17.3
-float ringMean(float x, float inner) {
-    float share = inner * inner, narrow = inner * x;
-    return min((airyMean(x) + share * share * airyMean(narrow)) / ((1.0 - share) * (1.0 - share)), 1.0);
+// `beat`: what is left of the fringes between the two rims.
+float ringMean(float x, float inner, float beat) {
+    float share = inner * inner, outside = airyMean(x), inside = airyMean(inner * x);
+    float between = (1.0 - inner) * x, past = between - 2.0 * roundEven(0.5 * between), quarter = 0.5 - abs(past);
+    float cosine = quarter * sinPiOverX(quarter * quarter);
+    float sum = outside + share * share * inside - 2.0 * beat * cosine * share * sqrt(outside * inside);
+    return min(sum / ((1.0 - share) * (1.0 - share)), 1.0);
 }
 
 // ---- polygons -------------------------------------------------------------------------------------------------------
 
 // What an edge adds to the amplitude of a polygon, times 2 pi i wavenumber |uv|^2. 1 is taken from each phase factor,
-// which leaves the sum over a closed outline as it is and keeps its digits near the peak. `power` gets its square.
-vec2 edgeWave(vec3 edge, float wavenumber, inout float power) {
+// which leaves the sum over a closed outline as it is and keeps its digits near the peak.
+vec2 edgeWave(vec3 edge, float wavenumber) {
     float turns = edge.x * wavenumber;
     float less = sincLessOne(edge.y * wavenumber);
     // sin and sin^2 of half the phase, pi turns, and its cosine by a quarter turn: sin(2 x) = 2 sin(x) cos(x)
@@ -77,14 +94,12 @@ vec2 edgeWave(vec3 edge, float wavenumber, inout float power) {
     float sine = half_ * sinPiOverX(half_ * half_);
     float quarter = 0.5 - abs(half_);
     float cosine = quarter * sinPiOverX(quarter * quarter);
-    float amplitude = edge.z * (1.0 + less);
-    power += amplitude * amplitude;
     return edge.z * vec2((1.0 + less) * 2.0 * sine * cosine, less - (1.0 + less) * 2.0 * sine * sine);
 }
 
 // Half of what an edge and the one opposite add where a polygon has a centre of symmetry: the wave is real then, and no
 // digits cancel.
-float pairOfEdges(vec3 edge, float wavenumber, inout float power) {
+float pairOfEdges(vec3 edge, float wavenumber) {
     float halfTurns = 2.0 * edge.x * wavenumber, along = edge.y * wavenumber;
     float whole = roundEven(halfTurns), wholeAlong = roundEven(along);
     float phase = halfTurns - whole, rest = along - wholeAlong;
@@ -92,35 +107,49 @@ float pairOfEdges(vec3 edge, float wavenumber, inout float power) {
     float amplitude = edge.z * ratio * sinPiOverX(rest * rest);
     float value = amplitude * phase * sinPiOverX(phase * phase);
     int odd = (int(whole) + int(wholeAlong)) & 1;
-    power += 0.5 * amplitude * amplitude;
     return odd != 0 ? -value : value;
 }
 
-// From the sums over the edges of their waves, and of their powers, which is the mean over fringes; `contrast` says how
-// much of the fringes is left. `scale`: wavenumber |uv|^2 area in um. Error: 3e-7 times perimeter * radius/area, 3 for a
-// disc.
-float polygonIntensity(vec2 sum, float power, float contrast, float scale) {
+// From the sum over the edges of their waves. `scale`: wavenumber |uv|^2 area in um. Error: 3e-7 times perimeter *
+// radius/area, 3 for a disc.
+float polygonIntensity(vec2 sum, float scale) {
     if (scale < 1e-24) return 1.0;                         // so near the peak that it would underflow
-    float perWave = 0.159154943 / scale;                   // 1/(2 pi)
-    vec2 amplitude = perWave * sum;
-    return mix(min(power * perWave * perWave, 1.0), dot(amplitude, amplitude), contrast);
+    vec2 amplitude = 0.159154943 / scale * sum;            // 1/(2 pi)
+    return dot(amplitude, amplitude);
 }
 // pairOfEdges() gives pi / 2 times as much.
-float symmetricPolygonIntensity(float sum, float power, float contrast, float scale) {
-    return polygonIntensity(vec2(0.636619772 * sum, 0.0), 0.405284735 * power, contrast, scale);
-}
+float symmetricPolygonIntensity(float sum, float scale) { return polygonIntensity(vec2(0.636619772 * sum, 0.0), scale); }
 
 // The polygon whose `count` vertices begin at `first`.
-float polygonPattern(vec2 uv, float wavenumber, uint first, uint count, float area_um2, float contrast) {
+float polygonPattern(vec2 uv, float wavenumber, uint first, uint count, float area_um2) {
     vec2 sum = vec2(0.0);
-    float power = 0.0;
     vec2 from = apertureVertex(first, count - 1u);
     for (uint i = 0u; i < count; ++i) {
         vec2 to = apertureVertex(first, i);
-        sum += edgeWave(polygonEdge(uv, from, to), wavenumber, power);
+        sum += edgeWave(polygonEdge(uv, from, to), wavenumber);
         from = to;
     }
-    return polygonIntensity(sum, power, contrast, wavenumber * dot(uv, uv) * area_um2);
+    return polygonIntensity(sum, wavenumber * dot(uv, uv) * area_um2);
+}
+
+// Its mean over fringes, the sum of its corners' powers: of the waves of two edges that meet there. Of an edge's own wave,
+// whose two ends are alike but for their sign, the mean is taken over what the sample sees: `perPixel` as in OpeningView,
+// and `step_` from one wavenumber of the list to the next. `corners` of `count` stand for all.
+float polygonMean(vec2 uv, mat2 perPixel, float step_, float wavenumber, uint first, uint count, uint corners, float area_um2) {
+    float sum = 0.0, before = 0.0;
+    vec2 from = apertureVertex(first, count - 1u);
+    for (uint i = 0u; i <= corners; ++i) {
+        vec2 to = apertureVertex(first, i < count ? i : 0u);
+        vec3 edge = polygonEdge(uv, from, to);
+        float along = edge.y * wavenumber;
+        float window = length(vec2(length((to - from) * perPixel) * wavenumber, edge.y * step_));
+        float wave = edge.z * sqrt(slitMean(along, window)) * (along < 0.0 ? -1.0 : 1.0);
+        if (i > 0u) sum += (wave - before) * (wave - before);
+        before = wave;
+        from = to;
+    }
+    float perWave = 0.159154943 / max(wavenumber * dot(uv, uv) * area_um2, 1e-24);
+    return min(0.5 * sum * perWave * perWave * float(count) / float(corners), 1.0);
 }
 
 // How much longer the way from one cell of a lattice is than from the next, `step_um` away: (high, low), in micrometres,
@@ -130,30 +159,4 @@ vec2 wayPerCell(vec2 uv, vec4 step_um) {
     precise float xLow = productError(uv.x, step_um.x, x) + uv.x * step_um.z;
     precise float yLow = productError(uv.y, step_um.y, y) + uv.y * step_um.w;
     return sumOfTwo(vec2(x, xLow), vec2(y, yLow));
-}
-
-// The four cubic B-splines around a point `t` behind the second.
-vec4 splineWeights(float t) {
-    float s = 1.0 - t;
-    return vec4(s * s * s, 4.0 + t * t * (3.0 * t - 6.0), 4.0 + s * s * (3.0 * s - 6.0), t * t * t) * 0.166666667;
-}
-
-// A mask by the table of src/optics/mask_spectrum.hpp, half of its plane (the other half is its mirror image): entry
-// (i, j) is at first + (j + 1) (columns / 2 + 4) + i + 1, from one before the first to two past the last.
-float maskPattern(vec2 f_per_um, uint first, vec2 tableSize, float pixel_um) {
-    vec2 inPixels = f_per_um * pixel_um;
-    vec2 place = vec2(inPixels.x, -inPixels.y);            // rows run down, y up
-    place = (place - roundEven(place)) * tableSize;        // one period
-    if (place.x < 0.0) place = -place;
-    if (place.y < 0.0) place.y += tableSize.y;
-    vec2 whole = floor(place);
-    vec4 across = splineWeights(place.x - whole.x), down = splineWeights(place.y - whole.y);
-    uint stride = uint(tableSize.x) / 2u + 4u;
-    uint at = first + uint(whole.y) * stride + uint(whole.x);
-    float sum = 0.0;
-    for (uint j = 0u; j < 4u; ++j) {
-        sum += down[j] * dot(across, vec4(maskEntry(at), maskEntry(at + 1u), maskEntry(at + 2u), maskEntry(at + 3u)));
-        at += stride;
-    }
-    return sum * slitFactor(inPixels.x) * slitFactor(inPixels.y);
 }

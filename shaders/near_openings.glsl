@@ -147,17 +147,17 @@ float nearDisc(NearView near, vec2 uv, float radius, float inner, float waveleng
 }
 
 // Relative to the far field's peak; false where that is what is to be taken.
-bool nearPattern(OpeningGrating g, uint opening, NearView near, vec2 contrast, vec2 uv, float wavenumber, out float pattern) {
+bool nearPattern(OpeningGrating g, uint opening, NearView near, Fading fading, vec2 uv, float wavenumber, out float pattern) {
     float wavelength = 1e-6 / wavenumber, step_ = g.wavenumberStep / wavenumber;
     vec2 half_ = 0.5e-6 * g.size_um;
     if (opening == RECTANGULAR_OPENING) {
         vec2 curvature = near.curvature * (1.0 - near.out_ * near.out_);
         vec2 number = half_ * half_ * curvature / wavelength;
-        vec2 x = uv * wavenumber * g.size_um;
+        vec2 far = sidePatterns(fading, uv * wavenumber * g.size_um, wavenumber);
         pattern = number.x > LEAST_FRESNEL_NUMBER ? nearStrip(uv.x, curvature.x, half_.x, near.smear.x, wavelength, step_)
-                                                  : mix(slitMean(x.x), slitFactor(x.x), contrast.x);
+                                                  : far.x;
         pattern *= number.y > LEAST_FRESNEL_NUMBER ? nearStrip(uv.y, curvature.y, half_.y, near.smear.y, wavelength, step_)
-                                                   : mix(slitMean(x.y), slitFactor(x.y), contrast.y);
+                                                   : far.y;
         return true;
     }
     pattern = nearDisc(near, uv, half_.x, opening == RING_OPENING ? g.size_um.y : 0.0, wavelength, step_);

@@ -7,6 +7,7 @@ float maskEntry(uint at) { return tables[at]; }
 const float MIDDLE_WAVENUMBER = 1.0 / 0.55;   // turns per micrometre
 
 #include "apertures.glsl"
+#include "masks.glsl"
 
 // A point as an opening sees it.
 struct OpeningView {
@@ -16,6 +17,7 @@ struct OpeningView {
     float nearness;      // 1 / distance
 };
 
+#include "fading.glsl"
 #include "near_openings.glsl"
 
 bool reachesOpening(OpeningGrating g, vec3 position) { return dot(position - g.position, g.normal) > 0.0; }
@@ -119,58 +121,51 @@ Outline outlineOf(OpeningGrating g) {
     return outline;
 }
 
-// What is left of the fringes that two points of the opening make, `apart_um` from each other: they fade before they turn
-// by half from one wavenumber of the list to the next, or from a pixel to the next, and would come back as an alias.
-float fringeContrast(OpeningGrating g, OpeningView v, vec2 apart_um) {
-    float perStep = abs(dot(apart_um, v.uv)) * g.wavenumberStep;
-    float perPixel = length(apart_um * v.perPixel) * MIDDLE_WAVENUMBER;
-    return (1.0 - smoothstep(0.3, 0.5, perStep)) * (1.0 - smoothstep(0.3, 0.6, perPixel));
-}
-
-// Of the widest points of an opening in the direction of its fringes; of a rectangle, for either of its sides.
-vec2 fringeContrasts(OpeningGrating g, uint opening, OpeningView v) {
-    if (opening == RECTANGULAR_OPENING) {
-        return vec2(fringeContrast(g, v, vec2(g.size_um.x, 0.0)), fringeContrast(g, v, vec2(0.0, g.size_um.y)));
+float polygonOf(OpeningGrating g, uint opening, Outline outline, vec2 uv, float wavenumber) {
+    float scale = wavenumber * dot(uv, uv) * g.size_um.x;
+    if (opening == SYMMETRIC_OPENING) {
+        float sum = 0.0;
+        [[unroll]] for (uint i = 0u; i < SYMMETRIC_EDGES; ++i)
+            sum += pairOfEdges(polygonEdge(uv, outline.vertices[i], outline.vertices[i + 1u]), wavenumber);
+        return symmetricPolygonIntensity(sum, scale);
     }
-    float extent_um = opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING ? g.extent_um : g.size_um.x;
-    return vec2(fringeContrast(g, v, extent_um * v.uv * inversesqrt(max(dot(v.uv, v.uv), 1e-30))));
+    if (POLYGON_EDGES > FEW_EDGES) return polygonPattern(uv, wavenumber, g.table, g.edgeCount, g.size_um.x);
+    vec2 sum = vec2(0.0);
+    [[unroll]] for (uint i = 0u; i < POLYGON_EDGES; ++i) {
+        vec2 to = i + 1u < POLYGON_EDGES ? outline.vertices[i + 1u] : outline.vertices[0];
+        sum += edgeWave(polygonEdge(uv, outline.vertices[i], to), wavenumber);
+    }
+    return polygonIntensity(sum, scale);
 }
 
 // Relative to the peak.
-float openingPattern(OpeningGrating g, uint opening, Outline outline, vec2 contrast, vec2 uv, float wavenumber) {
-    vec2 f_per_um = uv * wavenumber;
+float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, mat2 perPixel, vec2 uv, float wavenumber) {
+    vec2 f_per_um = uv * wavenumber, contrast = fading.contrast;
     if (opening == RECTANGULAR_OPENING) {
-        vec2 x = f_per_um * g.size_um;
-        return mix(slitMean(x.x), slitFactor(x.x), contrast.x) * mix(slitMean(x.y), slitFactor(x.y), contrast.y);
+        vec2 sides = sidePatterns(fading, f_per_um * g.size_um, wavenumber);
+        return sides.x * sides.y;
     }
     if (opening == CIRCULAR_OPENING || opening == RING_OPENING) {
         float x = length(f_per_um) * g.size_um.x;
         if (opening == CIRCULAR_OPENING) return mix(airyMean(x), circlePattern(x), contrast.x);
-        return mix(ringMean(x, g.size_um.y), ringPattern(x, g.size_um.y), contrast.x);
+        return mix(ringMean(x, g.size_um.y, fading.beat), ringPattern(x, g.size_um.y), contrast.x);
     }
-    if (opening == MASK_OPENING) return maskPattern(f_per_um, g.table, g.size_um, g.pixel_um);
-    float scale = wavenumber * dot(uv, uv) * g.size_um.x;
-    float power = 0.0;
-    if (opening == SYMMETRIC_OPENING) {
-        float sum = 0.0;
-        [[unroll]] for (uint i = 0u; i < SYMMETRIC_EDGES; ++i)
-            sum += pairOfEdges(polygonEdge(uv, outline.vertices[i], outline.vertices[i + 1u]), wavenumber, power);
-        return symmetricPolygonIntensity(sum, power, contrast.x, scale);
+    if (opening == MASK_OPENING) return fadedMask(g, fading, f_per_um, wavenumber);
+    // A loop of no turns is left out where an `if` would not be (path.glsl).
+    uint corners = contrast.x < 1.0 ? g.edgeCount : 0u;
+    float mean = 0.0;
+    if (corners > 0u) {
+        uint vertices = opening == SYMMETRIC_OPENING ? 2u * g.edgeCount : g.edgeCount;
+        mean = polygonMean(uv, perPixel, g.wavenumberStep, wavenumber, g.table, vertices, corners, g.size_um.x);
     }
-    if (POLYGON_EDGES > FEW_EDGES) return polygonPattern(uv, wavenumber, g.table, g.edgeCount, g.size_um.x, contrast.x);
-    vec2 sum = vec2(0.0);
-    [[unroll]] for (uint i = 0u; i < POLYGON_EDGES; ++i) {
-        vec2 to = i + 1u < POLYGON_EDGES ? outline.vertices[i + 1u] : outline.vertices[0];
-        sum += edgeWave(polygonEdge(uv, outline.vertices[i], to), wavenumber, power);
-    }
-    return polygonIntensity(sum, power, contrast.x, scale);
+    return mix(mean, polygonOf(g, opening, outline, uv, wavenumber), contrast.x);
 }
 
 // Sum over the first `count` entries of the list; `count` is 0 where the opening is another one.
 vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance, Throughput throughput) {
     Outline outline;
     if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
-    vec2 contrast = fringeContrasts(g, opening, v);
+    Fading fading = fadingOf(g, opening, v);
     bool isLattice = HAS_LATTICES != 0u && decided(g.isLattice) != 0u;
     Lattice lattice;
     if (HAS_LATTICES != 0u) lattice = latticeOf(g, v);
@@ -180,7 +175,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     if (SAMPLES_AT_HAND != 0u) {
         [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
             OpeningSample sample_ = scene.openingSamples[i];
-            float pattern = openingPattern(g, opening, outline, contrast, v.uv, sample_.wavenumber);
+            float pattern = openingPattern(g, opening, outline, fading, v.perPixel, v.uv, sample_.wavenumber);
+            pattern = withCore(fading, pattern, sample_.wavenumber);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
             sum += pattern * throughputAt(throughput, 1.0 / sample_.wavenumber) * sample_.color;
         }
@@ -195,9 +191,12 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         float pattern;
         bool isNear = false;
         if (HAS_NEAR_OPENINGS != 0u && opening <= RING_OPENING && decided(g.isNear) != 0u) {
-            isNear = nearPattern(g, opening, near, contrast, v.uv - shift, wavenumber, pattern);
+            isNear = nearPattern(g, opening, near, fading, v.uv - shift, wavenumber, pattern);
         }
-        if (!isNear) pattern = openingPattern(g, opening, outline, contrast, v.uv - shift, wavenumber);
+        if (!isNear) {
+            pattern = openingPattern(g, opening, outline, fading, v.perPixel, v.uv - shift, wavenumber);
+            pattern = withCore(fading, pattern, wavenumber);
+        }
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);
     }

@@ -238,14 +238,16 @@ void appendSamples(const std::vector<Wave>& waves, const std::vector<SourcePoint
 
 std::vector<float> maskTable(const optics::MaskSpectrum& spectrum) {
     std::vector<float> table;
-    const std::int64_t columns = spectrum.columns(), rows = spectrum.rows(), stride = columns / 2 + 1;
-    for (std::int64_t j = -1; j <= rows + 1; ++j) {
-        for (std::int64_t i = -1; i <= columns / 2 + 2; ++i) {
-            // The mirror image of a column beyond the half that is there.
-            const bool isMirrored = i < 0 || i > columns / 2;
-            const std::int64_t column = i < 0 ? -i : isMirrored ? columns - i : i;
-            const std::int64_t row = ((isMirrored ? -j : j) % rows + rows) % rows;
-            table.push_back(spectrum.values()[static_cast<std::size_t>(row * stride + column)]);
+    for (const optics::MaskSpectrum::Level& level : spectrum.levels()) {
+        const std::int64_t columns = level.columns, rows = level.rows, stride = columns / 2 + 1;
+        for (std::int64_t j = -1; j <= rows + 1; ++j) {
+            for (std::int64_t i = -1; i <= columns / 2 + 2; ++i) {
+                // The mirror image of a column beyond the half that is there.
+                const bool isMirrored = i < 0 || i > columns / 2;
+                const std::int64_t column = std::abs(i < 0 ? i : isMirrored ? columns - i : i);
+                const std::int64_t row = ((isMirrored ? -j : j) % rows + rows) % rows;
+                table.push_back(level.values[static_cast<std::size_t>(row * stride + column)]);
+            }
         }
     }
     return table;
@@ -276,6 +278,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         packed.opening = device::MASK_OPENING;
         packed.size_um = {toFloat(maskSpectrum->columns()), toFloat(maskSpectrum->rows())};
         packed.pixel_um = toFloat(mask->pixel / um);
+        packed.extent_um = toFloat(1e6 * cellExtent);
         packed.table = count(values.size());
         const std::vector<float> table = maskTable(*maskSpectrum);
         values.insert(values.end(), table.begin(), table.end());

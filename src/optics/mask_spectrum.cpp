@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <span>
 
 #include "optics/integrals.hpp"
 #include "optics/shares.hpp"
@@ -82,12 +83,39 @@ Grid autocorrelation(const MaskAperture& mask) {
     return grid;
 }
 
-// 1 / sinc^4(lag / size): the cubic B-spline's transform.
-std::vector<float> deconvolution(std::uint32_t pixels, std::uint32_t size) {
-    std::vector<float> factors(pixels);
-    for (std::uint32_t lag = 0; lag < pixels; ++lag)
-        factors[lag] = static_cast<float>(std::pow(sinc(double(lag) / size), -4));
-    return factors;
+// What lags of 0, 1, ... count for in a table of `size` points: 1 / sinc^4(lag / size), as the cubic
+// B-spline's transform divides, times the transform of a Gaussian over which the table is an average, of the
+// standard deviation `width` in turns from a pixel to the next.
+std::vector<float> lagWeights(std::uint32_t lags, std::uint32_t size, double width) {
+    std::vector<float> weights(lags);
+    for (std::uint32_t lag = 0; lag < lags; ++lag) {
+        weights[lag] = static_cast<float>(std::pow(sinc(double(lag) / size), -4) *
+                                          std::exp(-2.0 * std::pow(pi * width * lag, 2)));
+    }
+    return weights;
+}
+
+// The table of the lags' weighted autocorrelation, of the size that `level` has.
+std::vector<float> weightedTransform(Grid& lags, const MaskAperture& mask, const MaskSpectrum::Level& level,
+                                     std::span<const float> acrossWeights, std::span<const float> downWeights,
+                                     float scale) {
+    Grid table(level.columns, level.rows);
+    for (std::uint32_t j = 0; j < 2 * mask.rows; ++j) {
+        const bool isUp = j > mask.rows;
+        const std::uint32_t lagY = isUp ? 2 * mask.rows - j : j;
+        if (lagY >= downWeights.size()) continue;
+        for (std::uint32_t i = 0; i < 2 * mask.columns; ++i) {
+            const bool isLeft = i > mask.columns;
+            const std::uint32_t lagX = isLeft ? 2 * mask.columns - i : i;
+            if (lagX >= acrossWeights.size()) continue;
+            table.real(isLeft ? level.columns - lagX : lagX, isUp ? level.rows - lagY : lagY) =
+                scale * acrossWeights[lagX] * downWeights[lagY] * lags.real(i, j);
+        }
+    }
+    table.transform();
+    std::vector<float> values(table.complexCount());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.complexNumbers()[i].real();
+    return values;
 }
 
 // Of the four cubic B-splines around a point `t` behind the second.
@@ -104,9 +132,7 @@ MaskSpectrum::MaskSpectrum(const MaskAperture& mask)
       pixel_(mask.pixel / m),
       peak_(std::norm(transform(mask, dvec2(0.0)))),
       area_(area(mask)),
-      edgesAcross_(0.0),
-      columns_(tableSize(mask.columns)),
-      rows_(tableSize(mask.rows)) {
+      edgesAcross_(0.0) {
     assert(peak_ > 0.0);
     const auto at = [&](std::int64_t column, std::int64_t row) {
         const bool isInside = column >= 0 && column < mask.columns && row >= 0 && row < mask.rows;
@@ -120,39 +146,32 @@ MaskSpectrum::MaskSpectrum(const MaskAperture& mask)
         }
     }
 
-    Grid table(columns_, rows_);
-    {
-        Grid lags = autocorrelation(mask);
-        const std::vector<float> forColumns = deconvolution(mask.columns, columns_);
-        const std::vector<float> forRows = deconvolution(mask.rows, rows_);
-        // FFTW's round trip multiplies by the number of points.
-        const double pixels = 4.0 * mask.columns * mask.rows;
-        const auto scale = static_cast<float>(std::pow(pixel_, 4) / (pixels * peak_));
-        for (std::uint32_t j = 0; j < 2 * mask.rows; ++j) {
-            for (std::uint32_t i = 0; i < 2 * mask.columns; ++i) {
-                if (i == mask.columns || j == mask.rows) continue;
-                const bool isLeft = i > mask.columns, isUp = j > mask.rows;
-                const std::uint32_t lagX = isLeft ? 2 * mask.columns - i : i,
-                                    lagY = isUp ? 2 * mask.rows - j : j;
-                table.real(isLeft ? columns_ - lagX : lagX, isUp ? rows_ - lagY : lagY) =
-                    scale * forColumns[lagX] * forRows[lagY] * lags.real(i, j);
-            }
-        }
+    // FFTW's round trip multiplies by the number of points.
+    const double pixels = 4.0 * mask.columns * mask.rows;
+    const auto scale = static_cast<float>(std::pow(pixel_, 4) / (pixels * peak_));
+    Grid lags = autocorrelation(mask);
+    const std::uint32_t columns = tableSize(mask.columns), rows = tableSize(mask.rows);
+    for (std::uint32_t size = std::max(columns, rows); size > 1; size /= 2) {
+        Level level{std::min(columns, size), std::min(rows, size), {}};
+        const double width = levels_.empty() ? 0.0 : 1.0 / size;
+        const auto weights = [&](std::uint32_t pixels, std::uint32_t points) {
+            return lagWeights(std::min(pixels, points / 2), points, width);
+        };
+        level.values = weightedTransform(lags, mask, level, weights(mask.columns, level.columns),
+                                         weights(mask.rows, level.rows), scale);
+        levels_.push_back(std::move(level));
     }
-    table.transform();
-    values_.resize(table.complexCount());
-    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = table.complexNumbers()[i].real();
 }
 
 double MaskSpectrum::coefficient(std::int64_t i, std::int64_t j) const {
-    std::int64_t column = i & (columns_ - 1);
+    std::int64_t column = i & (columns() - 1);
     std::int64_t row = j;
-    if (column > columns_ / 2) {
-        column = columns_ - column;
+    if (column > columns() / 2) {
+        column = columns() - column;
         row = -row;
     }
-    row &= rows_ - 1;
-    return values_[static_cast<std::size_t>(row * (columns_ / 2 + 1) + column)];
+    row &= rows() - 1;
+    return values()[static_cast<std::size_t>(row * (columns() / 2 + 1) + column)];
 }
 
 double MaskSpectrum::pixelFactor(dvec2 f_per_m) const {
@@ -162,7 +181,7 @@ double MaskSpectrum::pixelFactor(dvec2 f_per_m) const {
 
 // The mask's rows run down while y runs up, so the row of frequencies is -y.
 double MaskSpectrum::relativePower(dvec2 f_per_m) const {
-    const double x = f_per_m.x * pixel_ * columns_, y = -f_per_m.y * pixel_ * rows_;
+    const double x = f_per_m.x * pixel_ * columns(), y = -f_per_m.y * pixel_ * rows();
     const double left = std::floor(x), up = std::floor(y);
     const std::array<double, 4> across = splineWeights(x - left), down = splineWeights(y - up);
     const auto column = static_cast<std::int64_t>(left) - 1, row = static_cast<std::int64_t>(up) - 1;

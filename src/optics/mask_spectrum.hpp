@@ -34,9 +34,20 @@ public:
     // Coefficient of the B-spline at frequency (i/columns, j/rows)/pixel: values()[j * (columns/2 + 1) + i]
     // for 0 <= i <= columns/2, 0 <= j < rows. The others follow from the periods `columns`, `rows` and from
     // symmetry: (i, j) has the value of (-i, -j).
-    std::span<const float> values() const { return values_; }
-    std::uint32_t columns() const { return columns_; }
-    std::uint32_t rows() const { return rows_; }
+    std::span<const float> values() const { return levels_.front().values; }
+    std::uint32_t columns() const { return levels_.front().columns; }
+    std::uint32_t rows() const { return levels_.front().rows; }
+
+    // The same averaged over more and more of its surroundings, for pixels that see so much at once. Level k
+    // is the table under a Gaussian whose standard deviation is 2^k times the smaller step of the first, with
+    // half as many points along an axis as the level before wherever these are more than that width asks for.
+    // Level 0 is not averaged, the last one is even.
+    struct Level {
+        std::uint32_t columns;
+        std::uint32_t rows;
+        std::vector<float> values;
+    };
+    std::span<const Level> levels() const { return levels_; }
 
 private:
     double coefficient(std::int64_t i, std::int64_t j) const;
@@ -48,9 +59,7 @@ private:
     double peak_;             // m^4
     double area_;             // m^2, integral of the squared transmission
     glm::dvec2 edgesAcross_;  // metres: length of the edges whose normal is x or y, times the squared step
-    std::uint32_t columns_;
-    std::uint32_t rows_;
-    std::vector<float> values_;
+    std::vector<Level> levels_;
 };
 
 }  // namespace fringe::optics

@@ -1,4 +1,4 @@
-// Beams behind slits and openings, and what is looked up in tables: a function of beam.glsl, slits.glsl or apertures.glsl at
+// Beams behind slits and openings, and what is looked up in tables: a function of beam.glsl, slits.glsl or masks.glsl at
 // many inputs. VARIANT says which (stress_beams.cpp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -31,6 +31,7 @@ uvec4 responseEntry(uint number) {
 #include "phase.glsl"
 #include "spectral.glsl"
 #include "apertures.glsl"
+#include "masks.glsl"
 #include "fresnel.glsl"
 #include "beam.glsl"
 #include "evaluators.glsl"
@@ -49,7 +50,8 @@ void main() {
         g.halfSlits = given(4u);
         give(0u, discFootprint(g, given2(0u), given2(2u), given(5u), 0.0, vec2(0.0)));
     } else if (VARIANT == 3u) {
-        give(0u, maskPattern(given2(0u), 0u, vec2(4.0), given(2u)));
+        vec2 frequency = given2(0u) * given(2u);
+        give(0u, maskPattern(frequency, 0u, vec2(4.0), SHARP_MASK) * slitFactor(frequency.x) * slitFactor(frequency.y));
     } else if (VARIANT == 4u) {
         g.zeroEntry = uint(given(2u));
         g.perU = given(3u);

@@ -352,9 +352,8 @@ std::vector<StressCase> beamCases() {
         {"disc-footprint", "discFootprint, beam.glsl", 1e-3,
          "Gauss-Chebyshev nodes as many as the phase's turns times 3.2, and 12", shader, 2, disc, 1, drawDisc,
          judgeDisc, 2'000'000},
-        {"mask", "maskPattern, apertures.glsl", 2e-6,
-         "weights of splines and their sum, roundings; sines, 4e-7", shader, 3, mask, 1, drawMask, judgeMask,
-         10'000'000},
+        {"mask", "maskPattern, masks.glsl", 2e-6, "weights of splines and their sum, roundings; sines, 4e-7",
+         shader, 3, mask, 1, drawMask, judgeMask, 10'000'000},
         {"response", "meanResponse, slits.glsl", 1e-2,
          "a place among 20,000 entries rounds to 1e-3 of a step, and these responses change by all of their "
          "peak in "

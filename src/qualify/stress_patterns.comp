@@ -20,10 +20,10 @@ float slitsAsPrinted(float u, float width, float period, float count) {
 
 // One half of a polygon with a centre of symmetry: three edges, four vertices.
 float symmetricPolygon(vec2 uv, float wavenumber, float area) {
-    float sum = 0.0, power = 0.0;
+    float sum = 0.0;
     for (uint i = 0u; i < 3u; ++i)
-        sum += pairOfEdges(polygonEdge(uv, apertureVertex(4u, i), apertureVertex(4u, i + 1u)), wavenumber, power);
-    return symmetricPolygonIntensity(sum, power, 1.0, wavenumber * dot(uv, uv) * area);
+        sum += pairOfEdges(polygonEdge(uv, apertureVertex(4u, i), apertureVertex(4u, i + 1u)), wavenumber);
+    return symmetricPolygonIntensity(sum, wavenumber * dot(uv, uv) * area);
 }
 
 float lattice(vec2 uv, float wavenumber) {
@@ -40,7 +40,7 @@ float evaluate() {
     if (VARIANT == 5u) return circlePattern(given(0u));
     if (VARIANT == 6u) return ringPattern(given(0u), given(1u));
     if (VARIANT == 7u) return stripIntensity(given(0u), given(1u), 0.0);
-    if (VARIANT == 10u) return polygonPattern(given2(0u), given(2u), 4u, 6u, given(3u), 1.0);
+    if (VARIANT == 10u) return polygonPattern(given2(0u), given(2u), 4u, 6u, given(3u));
     if (VARIANT == 11u) return symmetricPolygon(given2(0u), given(2u), given(3u));
     return lattice(given2(0u), given(2u));
 }

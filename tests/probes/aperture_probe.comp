@@ -15,14 +15,15 @@ float maskEntry(uint at) { return parameters[at]; }
 
 #include "phase.glsl"
 #include "apertures.glsl"
+#include "masks.glsl"
 
 vec2 pair(uint at) { return vec2(parameters[at], parameters[at + 1u]); }
 
 float symmetricPattern(vec2 uv) {
-    float sum = 0.0, power = 0.0;
+    float sum = 0.0;
     for (uint i = 0u; i < uint(parameters.length()) / 2u - 2u; ++i)
-        sum += pairOfEdges(polygonEdge(uv, apertureVertex(2u, i), apertureVertex(2u, i + 1u)), parameters[0], power);
-    return symmetricPolygonIntensity(sum, power, 1.0, parameters[0] * dot(uv, uv) * parameters[1]);
+        sum += pairOfEdges(polygonEdge(uv, apertureVertex(2u, i), apertureVertex(2u, i + 1u)), parameters[0]);
+    return symmetricPolygonIntensity(sum, parameters[0] * dot(uv, uv) * parameters[1]);
 }
 
 float pattern(vec2 uv) {
@@ -31,9 +32,12 @@ float pattern(vec2 uv) {
     if (PATTERN == 2u) return slitFactor(uv.x * parameters[0]) * slitFactor(uv.y * parameters[1]);
     if (PATTERN == 3u) return circlePattern(length(uv) * parameters[0]);
     if (PATTERN == 4u) return ringPattern(length(uv) * parameters[0], parameters[1]);
-    if (PATTERN == 5u) return polygonPattern(uv, parameters[0], 2u, uint(parameters.length() / 2 - 1), parameters[1], 1.0);
+    if (PATTERN == 5u) return polygonPattern(uv, parameters[0], 2u, uint(parameters.length() / 2 - 1), parameters[1]);
     if (PATTERN == 8u) return symmetricPattern(uv);
-    if (PATTERN == 7u) return maskPattern(uv * parameters[0], 4u, pair(1u), parameters[3]);
+    if (PATTERN == 7u) {
+        vec2 frequency = uv * parameters[0] * parameters[3];
+        return maskPattern(frequency, 4u, pair(1u), SHARP_MASK) * slitFactor(frequency.x) * slitFactor(frequency.y);
+    }
     float first = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(1u), pair(3u)))), parameters[9]);
     float second = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(5u), pair(7u)))), parameters[10]);
     return first * second;

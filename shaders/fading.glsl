@@ -1,0 +1,86 @@
+// What of the patterns of openings a sample can resolve, and what stands for the rest (docs/theory.md, "Wavelengths").
+
+// How a pattern gives way to its mean where a sample cannot resolve it: fringes fade before they turn by half from one
+// wavenumber of the list to the next, or from a pixel to the next, and would come back as an alias.
+struct Fading {
+    vec2 contrast;       // what is left of the fringes
+    vec2 perPixel_um;    // of rectangles and a mask's pixels: turns between their sides from pixel to pixel, at a wavenumber of 1
+    vec2 perStep;        // and from one wavenumber of the list to the next
+    float beat;          // the same between the two rims of a ring
+    float kept;          // of the pattern: 1 but in the pixel that holds the middle
+    vec2 core;           // what that pixel covers, in 1/area of the opening at a wavenumber of 1, and what it misses of it
+    mat3x2 blur;         // of a mask: maskBlur()
+    float sourceBlur;
+};
+
+// Turns between two points of the opening, `apart_um` from each other: from one wavenumber of the list to the next, and
+// from a pixel to the next.
+vec2 turnsPerStep(OpeningGrating g, OpeningView v, vec2 apart_um) {
+    return vec2(abs(dot(apart_um, v.uv)) * g.wavenumberStep, length(apart_um * v.perPixel) * MIDDLE_WAVENUMBER);
+}
+float fringeContrast(vec2 turns) { return (1.0 - smoothstep(0.3, 0.5, turns.x)) * (1.0 - smoothstep(0.3, 0.6, turns.y)); }
+
+// Pixels and the source blur as far as the finest fringes cannot be told apart; a step of the list likewise, whose line
+// then reaches from the middle between two wavenumbers to the next, so that no fringe adds up over the list.
+void blurMask(OpeningGrating g, OpeningView v, inout Fading fading) {
+    vec2 step_ = g.wavenumberStep * v.uv;
+    float extent = MIDDLE_WAVENUMBER * g.extent_um;
+    float perPixel = sqrt(dot(v.perPixel[0], v.perPixel[0]) + dot(v.perPixel[1], v.perPixel[1]));
+    mat2 pixel = sqrt(smoothstep(0.15, 0.6, extent * perPixel)) * v.perPixel;
+    step_ *= sqrt(smoothstep(0.3, 0.6, g.extent_um * length(step_)));
+    fading.blur = g.pixel_um * mat3x2(pixel[0], pixel[1], step_);
+    fading.sourceBlur = g.pixel_um * g.sourceBlur * sqrt(smoothstep(0.3, 0.6, extent * g.sourceBlur) / 12.0);
+}
+
+// Of rectangles and a mask's pixels for either side, else of the widest points in the direction of the fringes.
+Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
+    Fading fading;
+    fading.kept = 1.0;
+    fading.core = vec2(0.0);
+    if (opening == RECTANGULAR_OPENING || opening == MASK_OPENING) {
+        vec2 side = opening == MASK_OPENING ? vec2(g.pixel_um) : g.size_um;
+        vec2 x = turnsPerStep(g, v, vec2(side.x, 0.0)), y = turnsPerStep(g, v, vec2(0.0, side.y));
+        fading.contrast = vec2(fringeContrast(x), fringeContrast(y));
+        fading.perPixel_um = vec2(x.y, y.y) / MIDDLE_WAVENUMBER;
+        fading.perStep = vec2(x.x, y.x);
+        if (opening == MASK_OPENING) blurMask(g, v, fading);
+        return fading;
+    }
+    bool isPolygon = opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING;
+    float extent_um = isPolygon ? g.extent_um : g.size_um.x;
+    vec2 turns = turnsPerStep(g, v, extent_um * v.uv * inversesqrt(max(dot(v.uv, v.uv), 1e-30)));
+    fading.contrast = vec2(fringeContrast(turns));
+    // All of the pattern is 1/area; the part beyond r, perimeter / (2 pi^2 r area^2) where r is large.
+    float hole = opening == RING_OPENING ? g.size_um.y : 0.0;
+    fading.beat = fringeContrast(0.5 * (1.0 - hole) * turns);
+    float area = isPolygon ? g.size_um.x : 0.785398163 * g.size_um.x * g.size_um.x * (1.0 - hole * hole);
+    float determinant_ = determinant(v.perPixel);
+    vec2 inPixels = vec2(determinant(mat2(v.uv, v.perPixel[1])), determinant(mat2(v.perPixel[0], v.uv)));
+    if (max(abs(inPixels.x), abs(inPixels.y)) < 0.5 * abs(determinant_)) {
+        fading.kept = fading.contrast.x;
+        fading.contrast = vec2(1.0);
+        fading.core.x = abs(determinant_) * area;
+        fading.core.y = 0.36 * sqrt(fading.core.x * (1.0 + hole) / (1.0 - hole));
+    }
+    return fading;
+}
+
+// The pattern, or the mean over a pixel that holds its middle.
+float withCore(Fading fading, float pattern, float wavenumber) {
+    float inverse = fading.core.x * wavenumber * wavenumber + max(0.65, fading.core.y * wavenumber);
+    return mix(min(1.0 / inverse, 1.0), pattern, fading.kept);
+}
+
+// Of the two sides of a rectangle, or of a mask's pixel; `x`: turns between them.
+vec2 sidePatterns(Fading fading, vec2 x, float wavenumber) {
+    vec2 pixel = fading.perPixel_um * wavenumber, window = sqrt(pixel * pixel + fading.perStep * fading.perStep);
+    return mix(vec2(slitMean(x.x, window.x), slitMean(x.y, window.y)), vec2(slitFactor(x.x), slitFactor(x.y)), fading.contrast);
+}
+
+float fadedMask(OpeningGrating g, Fading fading, vec2 f_per_um, float wavenumber) {
+    vec2 x = f_per_um * g.pixel_um;
+    mat3x2 box = mat3x2(wavenumber * fading.blur[0], wavenumber * fading.blur[1], fading.blur[2]);
+    MaskBlur blur = maskBlur(box, wavenumber * fading.sourceBlur, g.extent_um / g.pixel_um, g.size_um);
+    vec2 sides = sidePatterns(fading, x, wavenumber);
+    return maskPattern(x, g.table, g.size_um, blur) * sides.x * sides.y;
+}

@@ -72,6 +72,7 @@ public:
         std::vector<std::string> messages;
         const auto present = [&] {
             Presenter presenter(window, widgets, request);
+            window.show();  // now that it can answer
             if (picture_) presenter.setPicture(picture_->width, picture_->height, picture_->rgba);
             try {
                 while (!window.wantsToClose() && !interrupted) frame(window, widgets, presenter);

@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 namespace fringe::preview {
 namespace {
@@ -92,6 +95,8 @@ struct Work {
     Layout layout;
 };
 
+constexpr Work kWritten{Stage::eTransfer, Use::eTransferWrite, Layout::eTransferDstOptimal};
+
 void change(const vk::raii::CommandBuffer& commands, vk::Image image, const Work& before, const Work& after) {
     const vk::ImageMemoryBarrier barrier(before.use, after.use, before.layout, after.layout,
                                          VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image, kWhole);
@@ -147,7 +152,10 @@ Presenter::Presenter(const Window& window, const Widgets& /*widgets*/, const gpu
       commands_(createCommands(device_)),
       free_(device_.handle(), vk::SemaphoreCreateInfo()),
       done_(device_.handle(), vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled)) {
-    gpu::guarded("starting the panel", [&] { startWidgets(device_, *pass_, *descriptors_, commands_); });
+    gpu::guarded("starting the panel", [&] {
+        startWidgets(device_, *pass_, *descriptors_, commands_);
+        warmUp();
+    });
 }
 
 Presenter::~Presenter() {
@@ -166,19 +174,43 @@ void Presenter::beginWidgets() const {
     ImGui_ImplVulkan_NewFrame();
 }
 
-Presenter::Picture Presenter::createPicture(std::uint32_t width, std::uint32_t height) const {
+Presenter::Image Presenter::createImage(vk::Extent2D size) const {
     using Usage = vk::ImageUsageFlagBits;
     vk::raii::Image image(
         device_.handle(),
-        vk::ImageCreateInfo({}, vk::ImageType::e2D, vk::Format::eR8G8B8A8Unorm, {width, height, 1}, 1, 1,
+        vk::ImageCreateInfo({}, vk::ImageType::e2D, format_.format, {size.width, size.height, 1}, 1, 1,
                             vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
                             Usage::eTransferDst | Usage::eTransferSrc));
     const vk::MemoryRequirements needs = image.getMemoryRequirements();
     const auto type = device_.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
     vk::raii::DeviceMemory memory(device_.handle(), {needs.size, type.value_or(0)});
     image.bindMemory(*memory, 0);
+    return {std::move(image), std::move(memory)};
+}
+
+Presenter::Picture Presenter::createPicture(std::uint32_t width, std::uint32_t height) const {
     return {width, height, gpu::Buffer(device_, vk::DeviceSize{4} * width * height, gpu::Access::hostWrites),
-            std::move(image), std::move(memory)};
+            createImage({width, height})};
+}
+
+// Drivers for processors compile a blit when it is first drawn, lavapipe apart for sides that are powers of
+// two and for others. Beside the renderer that took 110 ms of a frame; so it is done before the window is
+// there.
+void Presenter::warmUp() {
+    constexpr std::uint32_t kEnlarged = 5;
+    const Image target = createImage({kEnlarged, kEnlarged});
+    for (const std::uint32_t width : {3, 4}) {
+        for (const std::uint32_t height : {3, 4}) {
+            setPicture(width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height));
+            commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+            change(commands_, *target.handle, {Stage::eTransfer, {}, Layout::eUndefined}, kWritten);
+            recordPicture(*target.handle, {0, 0, kEnlarged, kEnlarged});
+            commands_.end();
+            device_.queue().submit(vk::SubmitInfo({}, {}, *commands_));
+            device_.handle().waitIdle();
+        }
+    }
+    picture_.reset();
 }
 
 void Presenter::setPicture(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
@@ -188,7 +220,14 @@ void Presenter::setPicture(std::uint32_t width, std::uint32_t height, std::span<
             picture_.reset();
             picture_.emplace(createPicture(width, height));
         }
-        std::memcpy(picture_->staging.mapped().data(), rgba.data(), rgba.size());
+        // Written only: reading what a device shares is slow.
+        const std::span<std::byte> staging = picture_->staging.mapped();
+        const std::size_t red = format_.format == vk::Format::eB8G8R8A8Unorm ? 2 : 0;
+        for (std::size_t i = 0; i < rgba.size(); i += 4) {
+            staging[i + red] = std::byte{rgba[i]};
+            staging[i + 1] = std::byte{rgba[i + 1]};
+            staging[i + 2 - red] = std::byte{rgba[i + 2]};
+        }
         picture_->uploaded = false;
     });
 }
@@ -235,8 +274,7 @@ bool Presenter::draw(const Rectangle& place, float background, ImDrawData* widge
 void Presenter::record(std::uint32_t index, const Rectangle& place, float background, ImDrawData* widgets) {
     const vk::Image target = swapchain_->image(index);
     commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    change(commands_, target, {Stage::eTransfer, {}, Layout::eUndefined},
-           {Stage::eTransfer, Use::eTransferWrite, Layout::eTransferDstOptimal});
+    change(commands_, target, {Stage::eTransfer, {}, Layout::eUndefined}, kWritten);
     const vk::ClearColorValue grey(std::array{background, background, background, 1.0F});
     commands_.clearColorImage(target, Layout::eTransferDstOptimal, grey, kWhole);
     if (picture_ && isWithin(place, swapchain_->size())) recordPicture(target, place);
@@ -248,30 +286,31 @@ void Presenter::record(std::uint32_t index, const Rectangle& place, float backgr
     commands_.end();
 }
 
+// Pixel for pixel where it fits, enlarged or reduced smoothly where it does not.
 void Presenter::recordPicture(vk::Image target, const Rectangle& place) {
-    const Work written{Stage::eTransfer, Use::eTransferWrite, Layout::eTransferDstOptimal};
-    const Work read{Stage::eTransfer, Use::eTransferRead, Layout::eTransferSrcOptimal};
     const std::uint32_t width = picture_->width, height = picture_->height;
+    const vk::Buffer staging = picture_->staging.handle();
+    change(commands_, target, kWritten, kWritten);  // after clearing
+    if (place.width == width && place.height == height) {
+        const vk::BufferImageCopy there(0, 0, 0, kLayer, {place.x, place.y, 0}, {width, height, 1});
+        commands_.copyBufferToImage(staging, target, Layout::eTransferDstOptimal, there);
+        return;
+    }
+    const vk::Image image = *picture_->image.handle;
     if (!picture_->uploaded) {
-        change(commands_, *picture_->image, {Stage::eTransfer, Use::eTransferRead, Layout::eUndefined},
-               written);
+        const Work read{Stage::eTransfer, Use::eTransferRead, Layout::eTransferSrcOptimal};
+        change(commands_, image, {Stage::eTransfer, Use::eTransferRead, Layout::eUndefined}, kWritten);
         const vk::BufferImageCopy all(0, 0, 0, kLayer, {}, {width, height, 1});
-        commands_.copyBufferToImage(picture_->staging.handle(), *picture_->image, Layout::eTransferDstOptimal,
-                                    all);
-        change(commands_, *picture_->image, written, read);
+        commands_.copyBufferToImage(staging, image, Layout::eTransferDstOptimal, all);
+        change(commands_, image, kWritten, read);
         picture_->uploaded = true;
     }
-    // After clearing.
-    change(commands_, target, written, written);
     const std::array<vk::Offset3D, 2> from{vk::Offset3D(0, 0, 0), corner(width, height)};
     const std::array<vk::Offset3D, 2> to{
         vk::Offset3D(place.x, place.y, 0),
         corner(std::int64_t{place.x} + place.width, std::int64_t{place.y} + place.height)};
-    // Pixel for pixel where it fits, enlarged smoothly where it does not.
-    const bool exact = place.width == width && place.height == height;
-    commands_.blitImage(*picture_->image, Layout::eTransferSrcOptimal, target, Layout::eTransferDstOptimal,
-                        vk::ImageBlit(kLayer, from, kLayer, to),
-                        exact ? vk::Filter::eNearest : vk::Filter::eLinear);
+    commands_.blitImage(image, Layout::eTransferSrcOptimal, target, Layout::eTransferDstOptimal,
+                        vk::ImageBlit(kLayer, from, kLayer, to), vk::Filter::eLinear);
 }
 
 }  // namespace fringe::preview

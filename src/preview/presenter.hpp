@@ -44,15 +44,22 @@ public:
     const gpu::Device& device() const { return device_; }
 
 private:
+    // In the window's format.
+    struct Image {
+        vk::raii::Image handle;
+        vk::raii::DeviceMemory memory;
+    };
+
     struct Picture {
         std::uint32_t width, height;
-        gpu::Buffer staging;
-        vk::raii::Image image;
-        vk::raii::DeviceMemory memory;
+        gpu::Buffer staging;  // in the order of the window's channels
+        Image image;
         bool uploaded = false;
     };
 
+    Image createImage(vk::Extent2D size) const;
     Picture createPicture(std::uint32_t width, std::uint32_t height) const;
+    void warmUp();
     void resize(Extent size);
     void record(std::uint32_t index, const Rectangle& place, float background, ImDrawData* widgets);
     void recordPicture(vk::Image target, const Rectangle& place);

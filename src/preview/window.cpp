@@ -30,6 +30,7 @@ Extent fitted(Extent wanted) {
 GLFWwindow* createWindow(Extent wanted, const std::string& title) {
     const Extent size = fitted(wanted);
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     GLFWwindow* window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window == nullptr) throw WindowError("no window can be opened: " + lastError());
@@ -82,6 +83,10 @@ Window::Window(const Desktop& /*desktop*/, Extent wanted, const std::string& tit
 
 std::vector<KeyPress> Window::takeKeys() {
     return std::exchange(keyboard_->pressed, {});
+}
+
+void Window::show() {
+    glfwShowWindow(handle());
 }
 
 void Window::close() {

@@ -49,7 +49,8 @@ struct Keyboard {
 
 class Window {
 public:
-    // Of about the wanted size in screen coordinates, but no larger than the desktop. Throws WindowError.
+    // Of about the wanted size in screen coordinates, but no larger than the desktop; hidden until show().
+    // Throws WindowError.
     Window(const Desktop& desktop, Extent wanted, const std::string& title);
 
     GLFWwindow* handle() const { return window_.get(); }
@@ -57,6 +58,7 @@ public:
     Extent pixels() const;  // of its inside; 0 x 0 while it is minimised
     float scale() const;    // pixels of a point of text, more than 1 on displays of high density
     bool wantsToClose() const;
+    void show();
     void setTitle(const std::string& title);
     void close();
 

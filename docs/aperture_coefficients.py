@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of shaders/apertures.glsl: the Airy pattern's amplitude, the rest of sinc, and what of the
-integral of sinc^2 lies beyond a point.
+"""Fits the polynomials of shaders/apertures.glsl: the Airy pattern's amplitude and the rest of sinc.
 
 2 J1(pi x)/(pi x) is a polynomial in x^2 up to x = SPLIT. Beyond it is modulus times cosine (DLMF 10.18): with
 s = 1/x^2, x^-1.5 m(s) cos(pi (x - 3/4 + d(s)/x)). Needs numpy and scipy. Prints the coefficients from the constant
 upwards, and the largest error of each fit.
 """
 import numpy as np
-from scipy.optimize import minimize
-from scipy.special import j1, sici, y1
+from scipy.special import j1, y1
 
 SPLIT = 1.25
 x = np.cos(np.linspace(0, np.pi / 2, 4000))     # denser at 1
@@ -43,17 +41,3 @@ fit("d", s, rest * far, 3, far**-2.5)
 
 half = np.maximum(0.5 * x, 1e-3)
 fit("(sin(pi x)/(pi x) - 1)/x^2, |x| <= 1/2, in x^2", half**2, (np.sinc(half) - 1) / half**2, 4, np.ones_like(half))
-
-# Beyond x: 1/2 (b/2 + (d - b) x + x^2/pi^2) / (b/2 + d x + x^2/pi^2 + x^3): slope at 0 and end are those of the integral.
-place = np.linspace(1e-3, 20, 20000)
-beyond = 0.5 - (sici(2 * np.pi * place)[0] - np.sin(np.pi * place)**2 / (np.pi * place)) / np.pi
-
-
-def beyond_error(bd):
-    b, d = np.abs(bd)
-    rest = b / 2 + (d - b) * place + place**2 / np.pi**2
-    return np.abs(0.5 * rest / (rest + place * (b + place**2)) - beyond).max()
-
-
-best = minimize(beyond_error, (0.1, 0.05), method="Nelder-Mead", options={"maxiter": 4000, "fatol": 1e-9})
-print(f"integral of sinc^2 beyond x: error {best.fun:.1e}\n  b, d = " + ", ".join(f"{abs(c):.9g}" for c in best.x))

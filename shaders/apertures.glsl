@@ -58,20 +58,11 @@ vec3 polygonEdge(vec2 uv, vec2 from, vec2 to) {
 
 // ---- means over fringes: the pattern where these are too fine to be told apart --------------------------------------
 
-// What of the integral of (sin(pi x)/(pi x))^2 lies beyond x >= 0, less its ripple: to 0.010, of 1/2 in all, and to
-// 1/(2 pi^2 x) far out (docs/aperture_coefficients.py).
-float slitBeyond(float x) {
-    float rest = 0.0412409334 + x * (-0.0347823661 + x * 0.101321184);
-    return 0.5 * rest / (rest + x * (0.0824818668 + x * x));
+// Inverse of the mean of (sin(pi x)/(pi x))^2 over fringes and over a window about x. Windows side by side add up to 1: the
+// one that holds the middle gets all but 0.2/window, which lies beyond, and the others what is in their middle.
+vec3 inverseSlitMean(vec3 x, vec3 window) {
+    return mix(1.0 + 19.7392088 * x * x, max(window + 0.2, 1.0), lessThan(abs(x), 0.5 * window));
 }
-
-// Mean of (sin(pi x)/(pi x))^2 over a window about x. Its total is kept, whatever the window.
-float slitMean(float x, float window) {
-    float wide = max(window, 0.05), near = abs(x) - 0.5 * wide, far = slitBeyond(abs(x) + 0.5 * wide);
-    float beyond = slitBeyond(abs(near));
-    return ((near < 0.0 ? 1.0 - beyond : beyond) - far) / wide;
-}
-
 float airyMean(float x) { return 1.0 / (1.0 + 24.3522727 * x * x * x); }        // pi^4/4: DLMF 10.17.3
 // `beat`: what is left of the fringes between the two rims.
 float ringMean(float x, float inner, float beat) {
@@ -132,24 +123,24 @@ float polygonPattern(vec2 uv, float wavenumber, uint first, uint count, float ar
     return polygonIntensity(sum, wavenumber * dot(uv, uv) * area_um2);
 }
 
-// Its mean over fringes, the sum of its corners' powers: of the waves of two edges that meet there. Of an edge's own wave,
-// whose two ends are alike but for their sign, the mean is taken over what the sample sees: `perPixel` as in OpeningView,
-// and `step_` from one wavenumber of the list to the next. `corners` of `count` stand for all.
-float polygonMean(vec2 uv, mat2 perPixel, float step_, float wavenumber, uint first, uint count, uint corners, float area_um2) {
-    float sum = 0.0, before = 0.0;
-    vec2 from = apertureVertex(first, count - 1u);
-    for (uint i = 0u; i <= corners; ++i) {
-        vec2 to = apertureVertex(first, i < count ? i : 0u);
+// Its mean over fringes at three wavenumbers, times their cubes: the sum of its corners' powers, of the waves of two edges
+// that meet there. Of an edge's own wave, whose two ends are alike but for their sign, the mean is taken over what the
+// sample sees: `perPixel` as in OpeningView, and `step_` from one wavenumber of the list to the next. The first `corners` of
+// `count` stand for all.
+vec3 polygonMeans(vec2 uv, mat2 perPixel, float step_, vec3 wavenumbers, uint first, uint count, uint corners, float area_um2) {
+    vec3 sum = vec3(0.0), before = vec3(0.0), start = vec3(0.0);
+    for (uint i = 0u; i < corners; ++i) {
+        vec2 from = apertureVertex(first, i), to = apertureVertex(first, i + 1u < count ? i + 1u : 0u);
         vec3 edge = polygonEdge(uv, from, to);
-        float along = edge.y * wavenumber;
-        float window = length(vec2(length((to - from) * perPixel) * wavenumber, edge.y * step_));
-        float wave = edge.z * sqrt(slitMean(along, window)) * (along < 0.0 ? -1.0 : 1.0);
-        if (i > 0u) sum += (wave - before) * (wave - before);
+        vec3 window = length((to - from) * perPixel) * wavenumbers + abs(edge.y) * step_;
+        vec3 wave = (edge.y < 0.0 ? -edge.z : edge.z) * inversesqrt(inverseSlitMean(edge.y * wavenumbers, window));
+        if (i == 0u) start = wave;
+        else sum += (wave - before) * (wave - before);
         before = wave;
-        from = to;
     }
-    float perWave = 0.159154943 / max(wavenumber * dot(uv, uv) * area_um2, 1e-24);
-    return min(0.5 * sum * perWave * perWave * float(count) / float(corners), 1.0);
+    sum += (start - before) * (start - before);
+    float perWave = 0.159154943 / max(dot(uv, uv) * area_um2, 1e-18);
+    return wavenumbers * min(0.5 * perWave * perWave * float(count) / float(corners) * sum, wavenumbers * wavenumbers);
 }
 
 // How much longer the way from one cell of a lattice is than from the next, `step_um` away: (high, low), in micrometres,

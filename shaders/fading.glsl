@@ -4,6 +4,8 @@
 // wavenumber of the list to the next, or from a pixel to the next, and would come back as an alias.
 struct Fading {
     vec2 contrast;       // what is left of the fringes
+    vec3 first;          // the mean at three wavenumbers, times their cubes; of rectangles and a mask's pixels for either side
+    vec3 second;
     vec2 perPixel_um;    // of rectangles and a mask's pixels: turns between their sides from pixel to pixel, at a wavenumber of 1
     vec2 perStep;        // and from one wavenumber of the list to the next
     float beat;          // the same between the two rims of a ring
@@ -65,22 +67,69 @@ Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
     return fading;
 }
 
-// The pattern, or the mean over a pixel that holds its middle.
-float withCore(Fading fading, float pattern, float wavenumber) {
-    float inverse = fading.core.x * wavenumber * wavenumber + max(0.65, fading.core.y * wavenumber);
-    return mix(min(1.0 / inverse, 1.0), pattern, fading.kept);
+// Of the pixel that holds the middle.
+float coreMean(Fading fading, float wavenumber) {
+    return min(1.0 / (fading.core.x * wavenumber * wavenumber + max(0.65, fading.core.y * wavenumber)), 1.0);
 }
 
-// Of the two sides of a rectangle, or of a mask's pixel; `x`: turns between them.
-vec2 sidePatterns(Fading fading, vec2 x, float wavenumber) {
-    vec2 pixel = fading.perPixel_um * wavenumber, window = sqrt(pixel * pixel + fading.perStep * fading.perStep);
-    return mix(vec2(slitMean(x.x, window.x), slitMean(x.y, window.y)), vec2(slitFactor(x.x), slitFactor(x.y)), fading.contrast);
+// Means change slowly with the wavenumber, so three are enough. Not so the beats of a ring, nor where the points of a source
+// see the pattern in places of their own.
+const vec3 MEAN_WAVENUMBERS = vec3(1.28, 1.95, 2.63);
+bool knowsMeans(uint opening) { return HAS_WIDE_SOURCES == 0u && opening != RING_OPENING; }
+
+// The parabola through three values, over the cube of the wavenumber: 1 % off for what falls with its fourth power.
+float meanAt(vec3 values, float wavenumber) {
+    vec3 past = wavenumber - MEAN_WAVENUMBERS;
+    vec3 weights = past.yxx * past.zzy * vec3(1.10558302, -2.19490782, 1.08932480);
+    return dot(values, weights) / (wavenumber * wavenumber * wavenumber);
+}
+
+// Of one side of a rectangle, or of a mask's pixel, `x` turns between its ends at a wavenumber of 1.
+vec3 sideMeans(float x, float perPixel, float perStep, vec3 wavenumbers) {
+    return wavenumbers * wavenumbers * wavenumbers / inverseSlitMean(x * wavenumbers, perPixel * wavenumbers + perStep);
+}
+vec3 polygonMeansOf(OpeningGrating g, uint opening, OpeningView v, vec2 uv, vec3 wavenumbers) {
+    uint count = opening == SYMMETRIC_OPENING ? 2u * g.edgeCount : g.edgeCount;
+    return polygonMeans(uv, v.perPixel, g.wavenumberStep, wavenumbers, g.table, count, g.edgeCount, g.size_um.x);
+}
+
+// `x`: turns between the sides.
+vec2 sidePatterns(Fading fading, uint opening, vec2 x, float wavenumber) {
+    if (!knowsMeans(opening)) {
+        fading.first = sideMeans(x.x / wavenumber, fading.perPixel_um.x, fading.perStep.x, vec3(wavenumber));
+        fading.second = sideMeans(x.y / wavenumber, fading.perPixel_um.y, fading.perStep.y, vec3(wavenumber));
+    }
+    vec2 mean = vec2(meanAt(fading.first, wavenumber), meanAt(fading.second, wavenumber));
+    return mix(mean, vec2(slitFactor(x.x), slitFactor(x.y)), fading.contrast);
+}
+
+void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fading) {
+    if (!knowsMeans(opening)) return;
+    vec3 wavenumbers = MEAN_WAVENUMBERS, cubes = wavenumbers * wavenumbers * wavenumbers;
+    if (opening == RECTANGULAR_OPENING || opening == MASK_OPENING) {
+        vec2 x = v.uv * (opening == MASK_OPENING ? vec2(g.pixel_um) : g.size_um);
+        fading.first = sideMeans(x.x, fading.perPixel_um.x, fading.perStep.x, wavenumbers);
+        fading.second = sideMeans(x.y, fading.perPixel_um.y, fading.perStep.y, wavenumbers);
+    } else if (opening == CIRCULAR_OPENING) {
+        vec3 x = length(v.uv) * g.size_um.x * wavenumbers;
+        fading.first = cubes * vec3(airyMean(x.x), airyMean(x.y), airyMean(x.z));
+    } else {
+        fading.first = vec3(0.0);
+        // A loop of no turns is left out where an `if` would not be (path.glsl).
+        for (uint i = 0u; i < (fading.contrast.x < 1.0 ? 1u : 0u); ++i)
+            fading.first = polygonMeansOf(g, opening, v, v.uv, wavenumbers);
+    }
+    if (fading.kept < 1.0) {
+        vec3 covered_ = fading.core.x * wavenumbers * wavenumbers + max(vec3(0.65), fading.core.y * wavenumbers);
+        fading.first = min(cubes / covered_, cubes);
+        fading.contrast.x = fading.kept;
+    }
 }
 
 float fadedMask(OpeningGrating g, Fading fading, vec2 f_per_um, float wavenumber) {
     vec2 x = f_per_um * g.pixel_um;
     mat3x2 box = mat3x2(wavenumber * fading.blur[0], wavenumber * fading.blur[1], fading.blur[2]);
     MaskBlur blur = maskBlur(box, wavenumber * fading.sourceBlur, g.extent_um / g.pixel_um, g.size_um);
-    vec2 sides = sidePatterns(fading, x, wavenumber);
+    vec2 sides = sidePatterns(fading, MASK_OPENING, x, wavenumber);
     return maskPattern(x, g.table, g.size_um, blur) * sides.x * sides.y;
 }

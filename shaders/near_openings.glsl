@@ -153,7 +153,7 @@ bool nearPattern(OpeningGrating g, uint opening, NearView near, Fading fading, v
     if (opening == RECTANGULAR_OPENING) {
         vec2 curvature = near.curvature * (1.0 - near.out_ * near.out_);
         vec2 number = half_ * half_ * curvature / wavelength;
-        vec2 far = sidePatterns(fading, uv * wavenumber * g.size_um, wavenumber);
+        vec2 far = sidePatterns(fading, opening, uv * wavenumber * g.size_um, wavenumber);
         pattern = number.x > LEAST_FRESNEL_NUMBER ? nearStrip(uv.x, curvature.x, half_.x, near.smear.x, wavelength, step_)
                                                   : far.x;
         pattern *= number.y > LEAST_FRESNEL_NUMBER ? nearStrip(uv.y, curvature.y, half_.y, near.smear.y, wavelength, step_)

@@ -139,25 +139,23 @@ float polygonOf(OpeningGrating g, uint opening, Outline outline, vec2 uv, float 
 }
 
 // Relative to the peak.
-float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, mat2 perPixel, vec2 uv, float wavenumber) {
+float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
     vec2 f_per_um = uv * wavenumber, contrast = fading.contrast;
     if (opening == RECTANGULAR_OPENING) {
-        vec2 sides = sidePatterns(fading, f_per_um * g.size_um, wavenumber);
+        vec2 sides = sidePatterns(fading, opening, f_per_um * g.size_um, wavenumber);
         return sides.x * sides.y;
     }
     if (opening == CIRCULAR_OPENING || opening == RING_OPENING) {
         float x = length(f_per_um) * g.size_um.x;
-        if (opening == CIRCULAR_OPENING) return mix(airyMean(x), circlePattern(x), contrast.x);
+        if (opening == CIRCULAR_OPENING) {
+            float mean = knowsMeans(opening) ? meanAt(fading.first, wavenumber) : airyMean(x);
+            return mix(mean, circlePattern(x), contrast.x);
+        }
         return mix(ringMean(x, g.size_um.y, fading.beat), ringPattern(x, g.size_um.y), contrast.x);
     }
     if (opening == MASK_OPENING) return fadedMask(g, fading, f_per_um, wavenumber);
-    // A loop of no turns is left out where an `if` would not be (path.glsl).
-    uint corners = contrast.x < 1.0 ? g.edgeCount : 0u;
-    float mean = 0.0;
-    if (corners > 0u) {
-        uint vertices = opening == SYMMETRIC_OPENING ? 2u * g.edgeCount : g.edgeCount;
-        mean = polygonMean(uv, perPixel, g.wavenumberStep, wavenumber, g.table, vertices, corners, g.size_um.x);
-    }
+    float mean = knowsMeans(opening) ? meanAt(fading.first, wavenumber)
+                                     : polygonMeansOf(g, opening, v, uv, vec3(wavenumber)).x / (wavenumber * wavenumber * wavenumber);
     return mix(mean, polygonOf(g, opening, outline, uv, wavenumber), contrast.x);
 }
 
@@ -166,6 +164,7 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     Outline outline;
     if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
     Fading fading = fadingOf(g, opening, v);
+    findMeans(g, opening, v, fading);
     bool isLattice = HAS_LATTICES != 0u && decided(g.isLattice) != 0u;
     Lattice lattice;
     if (HAS_LATTICES != 0u) lattice = latticeOf(g, v);
@@ -175,8 +174,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     if (SAMPLES_AT_HAND != 0u) {
         [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
             OpeningSample sample_ = scene.openingSamples[i];
-            float pattern = openingPattern(g, opening, outline, fading, v.perPixel, v.uv, sample_.wavenumber);
-            pattern = withCore(fading, pattern, sample_.wavenumber);
+            float pattern = openingPattern(g, opening, outline, fading, v, v.uv, sample_.wavenumber);
+            if (!knowsMeans(opening)) pattern = mix(coreMean(fading, sample_.wavenumber), pattern, fading.kept);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
             sum += pattern * throughputAt(throughput, 1.0 / sample_.wavenumber) * sample_.color;
         }
@@ -194,8 +193,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
             isNear = nearPattern(g, opening, near, fading, v.uv - shift, wavenumber, pattern);
         }
         if (!isNear) {
-            pattern = openingPattern(g, opening, outline, fading, v.perPixel, v.uv - shift, wavenumber);
-            pattern = withCore(fading, pattern, wavenumber);
+            pattern = openingPattern(g, opening, outline, fading, v, v.uv - shift, wavenumber);
+            if (!knowsMeans(opening)) pattern = mix(coreMean(fading, wavenumber), pattern, fading.kept);
         }
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);

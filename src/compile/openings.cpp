@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
@@ -11,9 +10,8 @@
 #include "compile/gratings.hpp"
 #include "compile/near_field.hpp"
 #include "compile/number.hpp"
-#include "optics/energy.hpp"
+#include "compile/opening_tables.hpp"
 #include "optics/integrals.hpp"
-#include "optics/mask_spectrum.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/transform.hpp"
 
@@ -84,41 +82,6 @@ constexpr double kLeastFresnelNumber = 0.012;
 
 // ---- spectrum ------------------------------------------------------------------------------------
 
-// The share of the power that propagates, linear between even steps of the wavelength, each of them worked
-// out when it is first asked for: it takes milliseconds.
-class Shares {
-public:
-    Shares(double step_nm, std::function<double(Length)> share)
-        : step_nm_(step_nm),
-          share_(std::move(share)),
-          known_(static_cast<std::size_t>((kLongestVisible_nm - kShortestVisible_nm) / step_nm) + 1) {}
-
-    double at(double wavelength_nm) {
-        const double place = std::max(wavelength_nm - kShortestVisible_nm, 0.0) / step_nm_;
-        const auto i = std::min(static_cast<std::size_t>(place), known_.size() - 2);
-        const double below = knot(i);
-        return below + (place - static_cast<double>(i)) * (knot(i + 1) - below);
-    }
-
-private:
-    double knot(std::size_t i) {
-        if (!known_[i]) known_[i] = share_((kShortestVisible_nm + step_nm_ * static_cast<double>(i)) * nm);
-        return *known_[i];
-    }
-
-    double step_nm_;
-    std::function<double(Length)> share_;
-    std::vector<std::optional<double>> known_;
-};
-
-// So that the share is right to 5e-4, and to 3e-3 next to a wavelength at which an order of a fine lattice
-// passes off.
-double shareStep_nm(double cellExtent, bool isLattice) {
-    if (cellExtent >= 5e-6) return 50.0;
-    if (cellExtent >= 3e-6) return 25.0;
-    return isLattice ? 5.0 : 10.0;
-}
-
 // A wavelength: its wavenumber per um, and for each reflectance its colour.
 struct Wave {
     double wavenumber;
@@ -127,7 +90,7 @@ struct Wave {
 
 struct SpectrumPacker {
     double factor;  // |A(0)|^2 / area times the power
-    Shares& shares;
+    OpeningShares& shares;
     const SpectralTables& tables;
 
     // What the device is to multiply by the relative pattern.
@@ -175,14 +138,14 @@ struct SpectrumPacker {
     }
 };
 
-// Sixteen wavelengths give a single opening to 2e-4 of its peak, a fifth of the usual tolerance; the error
-// goes as the inverse of their square. Thirty-two do so also where metals on the way have their own say, and
-// the orders of a lattice take their number in step with the cells in a row (docs/theory.md, "Openings").
+// Twelve wavelengths give a single opening to 2e-4 of its peak, a fifth of the usual tolerance; the error
+// goes as the inverse of their square. Twice as many do so also where metals on the way have their own say,
+// and the orders of a lattice take their number in step with the cells in a row (docs/theory.md, "Openings").
 // Beyond the most the device merges cells. Light from the rim of a near field and light from the middle turn
 // against each other by half the Fresnel number; a step is a fifth of such a turn.
 std::size_t waveCount(double extentInCells, double fresnelNumber, bool inBands, double tolerance) {
     constexpr double kMost = 256.0, kMostNear = 128.0;
-    const double fewest = std::max(8.0, std::round((inBands ? 32.0 : 16.0) * std::sqrt(1e-3 / tolerance)));
+    const double fewest = std::max(8.0, std::round((inBands ? 24.0 : 12.0) * std::sqrt(1e-3 / tolerance)));
     const double near = std::max(fewest, std::min(fewest + std::ceil(1.9 * fresnelNumber), kMostNear));
     return static_cast<std::size_t>(std::clamp(std::ceil(1.5 * extentInCells), std::min(near, kMost), kMost));
 }
@@ -236,23 +199,6 @@ void appendSamples(const std::vector<Wave>& waves, const std::vector<SourcePoint
 
 }  // namespace
 
-std::vector<float> maskTable(const optics::MaskSpectrum& spectrum) {
-    std::vector<float> table;
-    for (const optics::MaskSpectrum::Level& level : spectrum.levels()) {
-        const std::int64_t columns = level.columns, rows = level.rows, stride = columns / 2 + 1;
-        for (std::int64_t j = -1; j <= rows + 1; ++j) {
-            for (std::int64_t i = -1; i <= columns / 2 + 2; ++i) {
-                // The mirror image of a column beyond the half that is there.
-                const bool isMirrored = i < 0 || i > columns / 2;
-                const std::int64_t column = std::abs(i < 0 ? i : isMirrored ? columns - i : i);
-                const std::int64_t row = ((isMirrored ? -j : j) % rows + rows) % rows;
-                table.push_back(level.values[static_cast<std::size_t>(row * stride + column)]);
-            }
-        }
-    }
-    return table;
-}
-
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
                                       const SpectralTables& tables, double tolerance, double fresnelNumber,
                                       std::vector<float>& values) {
@@ -270,18 +216,17 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     // The opening, and what its pattern needs.
     const double area = optics::area(grating.aperture);
     double peak = area * area;
-    std::optional<optics::MaskSpectrum> maskSpectrum;
+    const OpeningTables shape = openingTables(grating.aperture, incoming, tables.memo());
     const double cellExtent = openingExtent(grating.aperture);
     if (const auto* mask = std::get_if<optics::MaskAperture>(&grating.aperture)) {
-        maskSpectrum.emplace(*mask);
-        peak = maskSpectrum->peak();
+        const optics::MaskSpectrum& maskSpectrum = shape.mask->spectrum;
+        peak = maskSpectrum.peak();
         packed.opening = device::MASK_OPENING;
-        packed.size_um = {toFloat(maskSpectrum->columns()), toFloat(maskSpectrum->rows())};
+        packed.size_um = {toFloat(maskSpectrum.columns()), toFloat(maskSpectrum.rows())};
         packed.pixel_um = toFloat(mask->pixel / um);
         packed.extent_um = toFloat(1e6 * cellExtent);
         packed.table = count(values.size());
-        const std::vector<float> table = maskTable(*maskSpectrum);
-        values.insert(values.end(), table.begin(), table.end());
+        values.insert(values.end(), shape.mask->levels.begin(), shape.mask->levels.end());
     } else if (const auto* lattice = std::get_if<optics::LatticeAperture>(&grating.aperture)) {
         std::visit(OpeningPacker{packed, values}, lattice->cell);
         packLattice(*lattice, packed);
@@ -296,11 +241,8 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     assert(std::isfinite(cellExtent));
     packed.isNear = hasNearField(grating.aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
 
-    Shares shares(shareStep_nm(cellExtent, packed.isLattice != 0), [&](Length wavelength) {
-        return maskSpectrum ? maskSpectrum->propagatingShare(wavelength, incoming.x, incoming.y)
-                            : optics::propagatingShare(grating.aperture, wavelength, incoming.x, incoming.y);
-    });
-    const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, shares, tables};
+    if (!spectrum.density.empty()) shape.shares->findAll();
+    const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, *shape.shares, tables};
 
     // A source so wide that it hides the fringes between the cells is seen as points further apart than
     // these.

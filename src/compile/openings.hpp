@@ -5,14 +5,9 @@
 
 #include "compile/interface.hpp"
 #include "compile/spectral.hpp"
-#include "optics/mask_spectrum.hpp"
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
-
-// A mask's spectrum as the device looks it up: half of the plane and a margin (shaders/apertures.glsl,
-// maskPattern).
-std::vector<float> maskTable(const optics::MaskSpectrum& spectrum);
 
 // Appends to `values` what the device reads beside the record: its spectrum as a list of wavenumbers and
 // colours, which hold all of  power response(l) |A(0)|^2 / (l^2 area share(l))  so that the device multiplies

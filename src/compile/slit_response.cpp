@@ -5,31 +5,15 @@
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
-#include <thread>
 
 #include "compile/order_integrals.hpp"
+#include "compile/parallel.hpp"
 #include "compile/slit_bins.hpp"
 #include "compile/table_memo.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 
 namespace fringe::compile {
-
-namespace {
-
-// work(i) for i = 0 .. count - 1. Threads take turns, because entries near 0 are quicker.
-template <class Work>
-void inParallel(int count, Work work) {
-    const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<std::jthread> helpers;
-    const auto share = [&](int thread) {
-        for (int i = thread; i < count; i += threads) work(i);
-    };
-    for (int thread = 1; thread < threads; ++thread) helpers.emplace_back(share, thread);
-    share(0);
-}
-
-}  // namespace
 
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
                                 const SpectralTables& tables, double step_nm) {

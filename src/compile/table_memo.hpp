@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compile/spectral.hpp"
+#include "optics/aperture.hpp"
 
 namespace fringe::compile {
 
@@ -22,6 +23,7 @@ public:
         Key& add(const optics::Curve& curve);
         Key& add(const optics::Spectrum& spectrum);
         Key& add(std::span<const float> values);
+        Key& add(const optics::Aperture& aperture);
         Key& addReflectances(const SpectralTables& tables);  // and what is measured
 
         bool operator==(const Key&) const = default;

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "compile/openings.hpp"
+#include "compile/opening_tables.hpp"
 #include "optics/mask_spectrum.hpp"
 #include "optics/shapes.hpp"
 #include "optics/transform.hpp"
@@ -141,11 +141,10 @@ TEST(AperturesOnDevice, Mask) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
     for (std::uint32_t i = 0; i < mask.columns * mask.rows; ++i) mask.transmission.push_back(uniform(random));
-    const optics::MaskSpectrum spectrum(mask);
+    const auto [spectrum, levels] = compile::tablesOf(mask);
     std::vector<float> parameters{1.0F / 0.55F, static_cast<float>(spectrum.columns()),
                                   static_cast<float>(spectrum.rows()), static_cast<float>(mask.pixel / um)};
-    const std::vector<float> table = compile::maskTable(spectrum);
-    parameters.insert(parameters.end(), table.begin(), table.end());
+    parameters.insert(parameters.end(), levels.begin(), levels.end());
     const std::vector<vec2> directions = directionsInTwoDimensions(12.0);
     std::vector<double> expected;
     for (const vec2& uv : directions)

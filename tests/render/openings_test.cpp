@@ -1,5 +1,6 @@
 // Openings in two dimensions on the device against the reference renderer, which adds up waves from their
 // area at every wavelength.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,10 +40,11 @@ double deviation(const scene::Scene& scene) {
         }
     }
     EXPECT_GT(brightest, 0.05 * peak) << "the rows miss the pattern";
+    ::testing::Test::RecordProperty("error", fmt::format("{:.1e}", worst / peak));
     return worst / peak;
 }
 
-// Sixteen wavelengths leave 1e-4, and the reference's own share of what propagates is good to 1e-3 where an
+// Twelve wavelengths leave 2e-4, and the reference's own share of what propagates is good to 1e-3 where an
 // opening is wide. The phase across 60 um carries the 1.2e-7 of a float32 direction cosine as 2e-5 of a turn.
 TEST_P(Openings, OnDeviceAreAsTheReferenceHasThem) {
     EXPECT_LE(deviation(parsed(GetParam())), 1e-3);
@@ -152,7 +154,7 @@ TEST(OpeningsOnDevice, FringesFinerThanAPixelGiveTheirMean) {
             gratingOf(scenes[i]).position = {0.3 * height / 21, 0.2 * height / 21, 0.0};
             std::get<scene::Orthographic>(scenes[i].camera.projection).height = height;
             const auto [total, deviation] = fineFringes(scenes[i]);
-            EXPECT_NEAR(total, 1.0, i == 2 ? 0.08 : 0.03) << "opening " << i << ", " << height;
+            EXPECT_NEAR(total, 1.0, i == 2 ? 0.08 : 0.05) << "opening " << i << ", " << height;
             EXPECT_LE(deviation, 0.15) << "opening " << i << ", " << height;
         }
     }

@@ -82,6 +82,37 @@ TEST(TableMemo, ChangesNoTable) {
     }
 }
 
+// The same for openings, with one of each kind.
+TEST(TableMemo, ChangesNoOpening) {
+    const std::vector<std::function<void(scene::Scene&)>> changes = {
+        [](scene::Scene& scene) { gratingOf(scene, 0).beam.power = 3.0 * units::W; },
+        [](scene::Scene& scene) {
+            std::get<optics::CircularAperture>(gratingOf(scene, 1).aperture).diameter = 35.0 * units::um;
+        },
+        [](scene::Scene& scene) {
+            for (std::size_t i = 0; i < 8; ++i)
+                gratingOf(scene, i).beam.direction = {0.06, 0.08, -0.99498744};
+        },
+        [](scene::Scene& scene) {
+            std::get<optics::MaskAperture>(gratingOf(scene, 7).aperture).transmission[300] = 0.5F;
+        },
+        [](scene::Scene& scene) {
+            std::get<optics::LatticeAperture>(gratingOf(scene, 6).aperture).firstCount = 3;
+        }};
+    TableMemo memo;
+    scene::Scene scene = sceneFile("scenes/apertures/wall.json");
+    auto& lattice = std::get<optics::LatticeAperture>(gratingOf(scene, 6).aperture);
+    lattice.firstCount = lattice.secondCount = 2;  // whose tables are made in an instant
+    for (const auto& change : changes) {
+        const compile::CompiledScene remembered =
+            compile::compileScene(scene, compile::Measure::color, &memo);
+        const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
+        EXPECT_TRUE(sameBytes(remembered.openingGratings, afresh.openingGratings));
+        EXPECT_TRUE(sameBytes(remembered.tables, afresh.tables));
+        change(scene);
+    }
+}
+
 // A table that tells how often one was made.
 class Maker {
 public:

@@ -1,0 +1,51 @@
+// What of an opening depends on its shape and the beam's direction alone, and takes long to find: kept from
+// scene to scene where there is a memo.
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "compile/table_memo.hpp"
+#include "optics/aperture.hpp"
+#include "optics/mask_spectrum.hpp"
+
+namespace fringe::compile {
+
+struct MaskTables {
+    optics::MaskSpectrum spectrum;
+    std::vector<float>
+        levels;  // as the device looks them up: half of the plane and a margin (shaders/masks.glsl)
+};
+MaskTables tablesOf(const optics::MaskAperture& mask);
+
+// The share of the power that propagates, linear between even steps of the wavelength, each of them worked
+// out when it is first asked for: it takes milliseconds.
+class OpeningShares {
+public:
+    OpeningShares(double step_nm, std::function<double(units::Length)> share);
+
+    double at(double wavelength_nm);
+
+    // Works out all steps, for a spectrum that asks for them anyhow.
+    void findAll();
+
+private:
+    double knot(std::size_t i);
+
+    double step_nm_;
+    std::function<double(units::Length)> share_;
+    std::vector<std::optional<double>> known_;
+};
+
+struct OpeningTables {
+    std::shared_ptr<const MaskTables> mask;  // of a mask
+    std::shared_ptr<OpeningShares> shares;
+};
+
+// `incoming`: direction cosines of the beam. `memo` may be null. Precondition: the aperture is no slits.
+OpeningTables openingTables(const optics::Aperture& aperture, const glm::dvec2& incoming, TableMemo* memo);
+
+}  // namespace fringe::compile

@@ -22,10 +22,11 @@ std::string wantedDevice() {
 }  // namespace
 
 scene::Scene sceneFile(const std::string& path) {
-    std::ifstream file(std::string(FRINGE_SOURCE_DIR) + "/" + path);
+    const std::string absolute = std::string(FRINGE_SOURCE_DIR) + "/" + path;
+    std::ifstream file(absolute);
     std::ostringstream text;
     text << file.rdbuf();
-    return scene::parseScene(text.str(), path);
+    return scene::parseScene(text.str(), absolute);
 }
 
 image::Image renderOnDevice(const scene::Scene& scene, const Pipeline& pipeline) {

@@ -1,6 +1,7 @@
 #include "gpu/kernel.hpp"
 
 #include <cassert>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -10,8 +11,14 @@
 namespace fringe::gpu {
 namespace {
 
-// Far beyond any tile (render keeps those near 50 ms); a device that needs longer hangs.
-constexpr std::uint64_t kTimeout_ns = 60'000'000'000;
+// Far beyond any tile (render keeps those near 50 ms); a GPU that needs longer hangs. A processor's driver
+// compiles in the first dispatch, which on a busy machine takes minutes; what it still works on must not be
+// destroyed, so it is given the time.
+constexpr std::uint64_t kGpuTimeout_ns = 60'000'000'000;
+
+std::uint64_t timeout_ns(const Device& device) {
+    return device.description().type == "CPU" ? std::numeric_limits<std::uint64_t>::max() : kGpuTimeout_ns;
+}
 
 bool isBound(const Binding& binding) {
     return binding.buffer || binding.image;
@@ -61,7 +68,7 @@ vk::raii::CommandBuffer createCommands(const Device& device) {
 void submitAndWait(const Device& device, const vk::raii::CommandBuffer& commands,
                    const vk::raii::Fence& done) {
     device.queue().submit(vk::SubmitInfo({}, {}, *commands), *done);
-    if (device.handle().waitForFences(*done, VK_TRUE, kTimeout_ns) == vk::Result::eTimeout) {
+    if (device.handle().waitForFences(*done, VK_TRUE, timeout_ns(device)) == vk::Result::eTimeout) {
         throw DeviceError(device.description().name +
                           " has not answered for a minute; choose another device with --device");
     }

@@ -18,8 +18,9 @@ vec3 sincAndSlopes(float s) {
 // The pattern of all slits in one wavelength, as a mean over a window `blur` of u, relative to the peak of the far field.
 // `curvature`: change of u per metre across the slits. `period` and `width` in wavelengths. `step_`: to the next wavelength of
 // the list that holds this one, relative to it; colours in a list are means over hats of this half width, which takes
-// sinc^2 off a harmonic, to be given back.
-float pairPattern(SlitGrating g, float u, float curvature, float period, float width, float step_, float blur) {
+// sinc^2 off a harmonic, to be given back. `furthest`: so many periods apart are the last pairs that count.
+float pairPattern(SlitGrating g, float u, float curvature, float period, float width, float step_, float furthest,
+                  float blur) {
     float perSlit = curvature * 1e-6 * g.period_um;        // change of u
     float chirp = perSlit * period;
     float drift = perSlit * width;                         // of a slit's own pattern from one to the next, in its units
@@ -29,15 +30,17 @@ float pairPattern(SlitGrating g, float u, float curvature, float period, float w
     float squares = 0.25 * drift * drift;
     float bent = slit.x * slit.z, tilted = slit.y * slit.y;
     float leaning = 2.0 * slit.x * slit.y * drift;
+    // How it changes across the window: what a fringe's mean there leaves of its product with that.
+    float across = width * blur;
+    float rising = 2.0 * slit.x * slit.y * across / 6.28318531, bending = (tilted + bent) * across * across / 39.4784176;
 
     float turns = period * u;
     vec2 turn = sinCosPi(2.0 * (turns - roundEven(turns))).yx;   // (cos, sin)
     vec2 wave = turn;
-    float sum = g.count * (even + squares * (g.count * g.count - 1.0) / 3.0 * (tilted + bent));
+    float sum = g.count * (even + squares * (g.count * g.count - 1.0) / 3.0 * (tilted + bent) + 3.28986813 * bending);
     for (float k = 1.0; k < g.count; k += 1.0) {
+        if (k > furthest) break;
         float ofStep = k * turns * step_;
-        // Ways so unlike that white light has no fringes left.
-        if (abs(ofStep) > 0.5) break;
         // The sum over the pairs' middles j of cos(2 pi j k chirp), and of j sin(2 pi j k chirp).
         float pairs = g.count - k;
         float t = k * chirp - roundEven(k * chirp);
@@ -49,9 +52,11 @@ float pairPattern(SlitGrating g, float u, float curvature, float period, float w
             sines = -0.5 * (pairs * sinCosPi(pairs * t).y - cosines * sc.y) / sc.x;
         }
         float share = even + squares * (k * k * (bent - tilted) + (pairs * pairs - 1.0) / 3.0 * (tilted + bent));
-        float harmonic = share * cosines * wave.x - leaning * sines * wave.y;
+        vec3 window = sincAndSlopes(k * period * blur);
+        float harmonic = (share * cosines * wave.x - leaning * sines * wave.y) * window.x +
+                         cosines * (rising * window.y * wave.y - bending * window.z * wave.x);
         if (isOdd) harmonic = -harmonic;
-        sum += 2.0 * harmonic * sincOf(k * period * blur) / slitFactor(ofStep);
+        sum += 2.0 * harmonic / slitFactor(ofStep);
         wave = vec2(wave.x * turn.x - wave.y * turn.y, wave.x * turn.y + wave.y * turn.x);
     }
     return max(sum, 0.0) / (g.count * g.count);
@@ -66,13 +71,16 @@ float curvatureAcross(SlitGrating g, GratingView v) {
 vec3 pairColor(SlitGrating g, GratingView v, uint reflectance, Throughput throughput, float u, float blur) {
     float curvature = curvatureAcross(g, v);
     float step_um = (LAST_WAVE_um - FIRST_WAVE_um) / float(g.entries - 1u);
+    // Ways so unlike that white light has no fringes left: half a turn from one of the shortest waves to the next. The same for
+    // all waves, for a spectrum that ends in its middle has fringes of its own.
+    float furthest = 0.5 * FIRST_WAVE_um * FIRST_WAVE_um / (step_um * g.period_um * max(abs(u), 1e-9));
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < decided(g.entries); ++i) {
         vec4 wave = uintBitsToFloat(responseEntry(g.response + i));
         vec3 color = uintBitsToFloat(responseEntry(g.response + (reflectance + 1u) * g.entries + i).xyz);
         float wavelength_um = g.period_um / wave.x;
         float step_ = step_um / wavelength_um;
-        float value = pairPattern(g, u, curvature, wave.x, wave.z, step_, blur);
+        float value = pairPattern(g, u, curvature, wave.x, wave.z, step_, furthest, blur);
         sum += value * footprintAlong(g, v, 1e-6 * wavelength_um, -step_) * throughputAt(throughput, wavelength_um) * color;
     }
     return sum;

@@ -202,7 +202,7 @@ vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint 
         } else {
             if (HAS_PAIRS_EVALUATOR != 0u && decided(g.evaluator) == PAIRS_EVALUATOR) {
                 float slit = g.width_um / wavelength_um;
-                value = slit * g.count * pairPattern(g, u, curvatureAcross(g, v), g.period_um / wavelength_um, slit, 0.0, blur);
+                value = slit * g.count * pairPattern(g, u, curvatureAcross(g, v), g.period_um / wavelength_um, slit, 0.0, g.count, blur);
             } else {
                 value = lineDensity(g, u, blur, wavelength_um);
             }

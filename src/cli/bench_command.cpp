@@ -304,9 +304,10 @@ void addBench(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(1.0, 1000.0))
         ->needs(compare)
         ->capture_default_str();
-    command->add_flag("--check", options->check,
-                      "status 3 where a picture is wrong, \"auto\" misses its tolerance, or --compare finds "
-                      "something worse");
+    command->add_flag(
+        "--check", options->check,
+        "status 3 where a picture is wrong, \"auto\" misses its tolerance or a Delta E of 1, or "
+        "--compare finds something worse");
     command->add_option("--device", options->device, "Vulkan device, by index or part of its name");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->add_flag("--json", options->json, "print the report as JSON");

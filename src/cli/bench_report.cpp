@@ -95,6 +95,7 @@ Json::Value toJson(const qualify::EvaluatorRow& row) {
         json["error"]["worst_u"] = row.worstInput;
     }
     if (row.bound) json["bound"] = *row.bound;
+    if (row.deltaEBound) json["delta_e_bound"] = *row.deltaEBound;
     json["verified"] = row.isVerified();
     if (row.perMillion_ms) json["time_ms"] = toJson(*row.perMillion_ms);
     if (row.ratio) json["ratio"] = toJson(*row.ratio);
@@ -167,7 +168,11 @@ std::string tableLine(const Json::Value& row) {
         if (error["not_finite"].asUInt64() > 0)
             line += fmt::format("  {} of {} not a number", error["not_finite"].asUInt64(),
                                 error["judged"].asUInt64());
-        return row["verified"].asBool() ? line : line + fmt::format("  BEYOND {:g}", row["bound"].asDouble());
+        if (row["verified"].asBool()) return line;
+        line += fmt::format("  BEYOND {:g}", row["bound"].asDouble());
+        if (!row["delta_e_bound"].isNull())
+            line += fmt::format(" or Delta E {:g}", row["delta_e_bound"].asDouble());
+        return line;
     }
     if (row["group"] == "frames") {
         line = fmt::format("{:<16} {:<14} {:>10} {:>9} {:>7} {:>7} {:>9.1e} {:>9.1e} {:>7.2f}",

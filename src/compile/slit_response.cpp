@@ -180,43 +180,35 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
 
     const OrderIntegrals integrals(count);
 
-    // Per unit of u, of an amplitude grating; it depends on |u| alone.
-    const auto amplitudeGrating = [&](const Bin& bin, double u) {
-        const double perTurn = u / bin.wavelength_um;
-        const double oneSlit = optics::sincSquared(width_um * perTurn) * width_um / bin.wavelength_um;
-        if (zeroOrder) return oneSlit * fejerKernel(count, period_um * perTurn);
-        const double half_um = 5e-4 * step_nm;
-        const double t1 = period_um * u / (bin.wavelength_um + half_um);
-        const double t2 = period_um * u / (bin.wavelength_um - half_um);
-        if (t2 - t1 < 1e-9) return 0.0;  // at u = 0 nothing but the zero order
-        return oneSlit * integrals.diffracted(t1, t2, u > lastLobe) / (t2 - t1);
+    // The spectrum is straight between the bins' wavelengths; what one of them stands for, in turns.
+    std::vector<double> turnsPerU;
+    for (const Bin& bin : bins) turnsPerU.push_back(period_um / bin.wavelength_um);
+    const auto hatOf = [&](std::size_t i, double u) {
+        const double shorter = turnsPerU[i > 0 ? i - 1 : i] * u,
+                     longer = turnsPerU[i + 1 < bins.size() ? i + 1 : i] * u;
+        return Hat{std::min(shorter, longer), turnsPerU[i] * u, std::max(shorter, longer)};
     };
-    const auto givenOrders = [&](const Bin& bin, double u) {
+
+    // Per unit of u, of an amplitude grating; it depends on |u| alone.
+    const auto amplitudeGrating = [&](std::size_t i, double u) {
+        const double wavelength_um = bins[i].wavelength_um;
+        const double oneSlit = optics::sincSquared(width_um * u / wavelength_um) * width_um / wavelength_um;
+        if (zeroOrder) return oneSlit * fejerKernel(count, period_um * u / wavelength_um);
+        return oneSlit * integrals.diffracted(hatOf(i, u), u > lastLobe);
+    };
+    const auto givenOrders = [&](std::size_t i, double u) {
+        const Bin& bin = bins[i];
+        const Hat hat = hatOf(i, u);
         double sum = 0.0;
-        const double t = period_um * u / bin.wavelength_um;
-        const double width = std::max(std::abs(t) * 1e-3 * step_nm / bin.wavelength_um, 1e-9);
-        for (std::size_t i = 0; i < lit.orders.size(); ++i) {
-            const int order = lit.orders[i].order;
+        for (std::size_t k = 0; k < lit.orders.size(); ++k) {
+            const int order = lit.orders[k].order;
             if (zeroOrder) {
-                sum += bin.orders[i] * count * optics::sincSquared(count * (t - order));
+                sum += bin.orders[k] * count * optics::sincSquared(count * (hat.at - order));
             } else if (order != 0 || std::abs(u) > lastLobe) {
-                sum += bin.orders[i] / width *
-                       (sincSquaredIntegral(count * (t + 0.5 * width - order)) -
-                        sincSquaredIntegral(count * (t - 0.5 * width - order)));
+                sum += bin.orders[k] * integrals.ofOrder(order, hat);
             }
         }
         return sum * period_um / bin.wavelength_um;
-    };
-
-    // In an order narrower than the bins, from which of the bin's wavelengths the light comes: steps from its
-    // middle.
-    const auto offCentre = [&](const Bin& bin, double u) {
-        const double order = std::nearbyint(period_um * u / bin.wavelength_um);
-        if (zeroOrder || order == 0.0) return 0.0;
-        const double step_um = 1e-3 * step_nm;
-        const double off = (period_um * u / order - bin.wavelength_um) / step_um;
-        const double lineWidth = bin.wavelength_um / (order * count) / step_um;
-        return std::abs(off) <= 0.5 ? off * std::max(1.0 - lineWidth, 0.0) : 0.0;
     };
 
     const auto storeAll = [&](int entry, const Accumulator& sums) {
@@ -227,21 +219,16 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         const double u = entry / perU;
         if (lit.orders.empty()) {
             Accumulator sums(rows);
-            for (std::size_t i = 0; i < bins.size(); ++i) {
-                const double share = amplitudeGrating(bins[i], u), off = offCentre(bins[i], u);
-                sums.add(bins[i], bins[i].weight * share * (1.0 - std::abs(off)));
-                if (off == 0.0) continue;
-                const Bin& next =
-                    bins[off < 0.0 ? std::max<std::size_t>(i, 1) - 1 : std::min(i + 1, bins.size() - 1)];
-                sums.add(next, next.weight * share * std::abs(off));
-            }
+            for (std::size_t i = 0; i < bins.size(); ++i)
+                sums.add(bins[i], bins[i].weight * amplitudeGrating(i, u));
             storeAll(entry, sums);
             storeAll(-entry, sums);
             return;
         }
         for (const int side : {1, -1}) {
             Accumulator sums(rows);
-            for (const Bin& bin : bins) sums.add(bin, bin.weight * givenOrders(bin, side * u));
+            for (std::size_t i = 0; i < bins.size(); ++i)
+                sums.add(bins[i], bins[i].weight * givenOrders(i, side * u));
             storeAll(side * entry, sums);
         }
     };

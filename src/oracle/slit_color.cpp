@@ -61,17 +61,42 @@ Xyz SlitColor::at(double u) const {
     return sum;
 }
 
+// The spectrum has light where it begins and ends. There an order begins and ends within the width that the
+// slits give it, and one rule across would miss that: pieces from a zero of the order's own pattern to
+// others.
+std::vector<double> SlitColor::pieces(double from, double to) const {
+    std::vector<double> ends{from, to};
+    if (weights_.empty()) return ends;
+    for (const double edge_um : {1e-3 * kFirst_nm, 1e-3 * kLast_nm}) {
+        const double perOrder = edge_um / light_.period_um, zero = perOrder / light_.count;
+        if (zero > to - from) continue;  // as wide as the window: no edge
+        for (double order = std::ceil(from / perOrder - 0.5); order <= to / perOrder + 0.5; order += 1.0) {
+            if (order == 0.0) continue;
+            for (const double zeros : {-16.0, -4.0, -1.0, 0.0, 1.0, 4.0, 16.0}) {
+                const double end = order * perOrder + zeros * zero;
+                if (end > from && end < to) ends.push_back(end);
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+}
+
 Xyz SlitColor::mean(double u, double width) const {
     if (width == 0.0) return at(u);
     // Features of the spectrum, some 30 nm wide and in the first order, or fringes of a line. What lies far
-    // within one is straight: its mean is its middle to 2e-5.
-    double features = width * light_.period_um / 0.03;
-    if (!lines_.empty())
-        features = std::max(features, width * light_.count * light_.period_um / (1e-3 * kFirst_nm));
-    if (features < 0.02) return at(u);
+    // within one is straight, its mean its middle to 2e-5, unless the slits are so many that the spectrum's
+    // knots show.
+    const double finest = width * light_.count * light_.period_um / (1e-3 * kFirst_nm);
+    const double features = std::max(width * light_.period_um / 0.03, lines_.empty() ? 0.0 : finest);
+    if (features < 0.02 && finest < 0.1) return at(u);
+    const std::vector<double> ends = pieces(u - 0.5 * width, u + 0.5 * width);
     Xyz sum(0.0);
-    forNodes(u - 0.5 * width, u + 0.5 * width, static_cast<std::size_t>(std::ceil(features)),
-             [&](double at_, double weight) { sum += weight * at(at_); });
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double share = (ends[i + 1] - ends[i]) / width;
+        forNodes(ends[i], ends[i + 1], static_cast<std::size_t>(std::ceil(features * share)),
+                 [&](double at_, double weight) { sum += weight * at(at_); });
+    }
     return sum / width;
 }
 

@@ -33,6 +33,7 @@ private:
     };
 
     Xyz at(double u) const;
+    std::vector<double> pieces(double from, double to) const;
     double density(double u, double wavelength_um) const;
     Xyz weight(double wavelength_nm) const;
 

@@ -118,7 +118,11 @@ private:
         row.detail = detailOf(which_, setting, prepared);
         row.tableBytes = prepared.bytes();
         row.buildSeconds = prepared.buildSeconds;
-        if (setting.kind == Evaluator::automatic) row.bound = request_.tolerance;
+        if (setting.kind == Evaluator::automatic) {
+            row.bound = request_.tolerance;
+            // One just noticeable difference; who allows a larger error than usual allows colours to differ.
+            if (request_.tolerance <= EvaluatorRequest().tolerance) row.deltaEBound = 1.0;
+        }
         const auto probe = std::make_shared<EvaluatorProbe>(device_, prepared, windows_);
         probe->run(truth_.values.size());
         judge(

@@ -18,7 +18,7 @@ struct EvaluatorRequest {
     std::uint64_t seed = 1;
     // Work of the oracle for a case, in patterns of one wavelength; it says how many inputs are judged, at
     // least 48 and at most 2048.
-    double oraclePatterns = 4e7;
+    double oraclePatterns = 1e8;
 };
 
 // A row for each evaluator and setting that the case can have; "auto" is the first. Times are the host's

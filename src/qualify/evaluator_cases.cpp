@@ -22,6 +22,7 @@ std::span<const EvaluatorCase> evaluatorCases() {
             {"5 slits of 1/2 um, D65, to 3 deg", 5, 1.0, 2.0, d65, 0.052},
             {"5 slits of 20/100 um, D65", 5, 20.0, 100.0, d65, 0.95},
             {"2 slits of 50/500 um in a wide beam, D65", 2, 50.0, 500.0, d65, 0.052, 0.0, true},
+            {"2 slits of 5/500 um in a wide beam, D65", 2, 5.0, 500.0, d65, 0.3, 0.0, true},
             {"50 slits of 0.8/1.6 um, D65", 50, 0.8, 1.6, d65, 0.95},
             {"50 slits of 50/100 um, D65", 50, 50.0, 100.0, d65, 0.95},
             {"1000 slits of 0.8/1.6 um, D65", 1000, 0.8, 1.6, d65, 0.95},

@@ -23,6 +23,7 @@ struct EvaluatorRow {
     std::uint64_t nonFinite = 0;  // results that are no number, left out of the errors
     std::uint64_t judged = 0;     // results in all
     std::optional<double> bound;  // of maxError, where something is promised
+    std::optional<double> deltaEBound;  // of deltaE
 
     // Nothing where it was not timed. Milliseconds per million evaluations, and their ratio to those of the
     // case's first row, paired round by round.
@@ -33,7 +34,9 @@ struct EvaluatorRow {
     double buildSeconds = 0.0;  // of the tables, on the host
 
     // Whether it keeps what is promised, if anything is.
-    bool isVerified() const { return !bound || (maxError <= *bound && nonFinite == 0); }
+    bool isVerified() const {
+        return (!bound || (maxError <= *bound && nonFinite == 0)) && (!deltaEBound || deltaE < *deltaEBound);
+    }
 };
 
 }  // namespace fringe::qualify

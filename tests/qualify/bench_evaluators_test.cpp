@@ -101,6 +101,20 @@ TEST(SlitColor, MeanIsThatOfManyPoints) {
     EXPECT_NEAR(mean.y, sum.y / kPoints, 1e-4 * mean.y);
 }
 
+// Across the end of the spectrum at 380 nm, and across daylight's knot at 430 nm.
+TEST(SlitColor, MeanOfNarrowOrdersIsThatOfManyPoints) {
+    const oracle::SlitColor color = slitColor(1e4, 0.8, 1.6, *optics::namedSpectrum("D65"));
+    const double peak = color.mean(0.446 / 1.6, 0.0).z;
+    for (const double u : {0.38 / 1.6 - 2e-5, 0.43 / 1.6}) {
+        double sum = 0.0;
+        constexpr int kPoints = 200;
+        for (int i = 0; i < kPoints; ++i) sum += color.mean(u + 2e-4 * ((i + 0.5) / kPoints - 0.5), 0.0).z;
+        const double mean = color.mean(u, 2e-4).z, middle = color.mean(u, 0.0).z;
+        EXPECT_NEAR(mean, sum / kPoints, 1e-5 * peak) << u;
+        EXPECT_GT(std::abs(mean - middle), 3e-4 * peak) << u;
+    }
+}
+
 // ---- the processor's sum -------------------------------------------------------------------------
 
 TEST(CpuSum, IsOneAtTheMiddleAndThePatternElsewhere) {

@@ -58,10 +58,14 @@ vec3 polygonEdge(vec2 uv, vec2 from, vec2 to) {
 
 // ---- means over fringes: the pattern where these are too fine to be told apart --------------------------------------
 
-// Inverse of the mean of (sin(pi x)/(pi x))^2 over fringes and over a window about x. Windows side by side add up to 1: the
-// one that holds the middle gets all but 0.2/window, which lies beyond, and the others what is in their middle.
-vec3 inverseSlitMean(vec3 x, vec3 window) {
-    return mix(1.0 + 19.7392088 * x * x, max(window + 0.2, 1.0), lessThan(abs(x), 0.5 * window));
+// Root of the mean of (sin(pi x)/(pi x))^2 over fringes and over a window about x: the main lobe as it is and sin^2 by 1/2
+// from where that is as much. Of wide windows side by side, the one that holds the middle gets all but 0.2/window, which
+// lies beyond.
+vec3 slitMeanRoot(vec3 x, vec3 window) {
+    vec3 z = x * x, far = abs(x);
+    vec3 lobe = 0.318309886 * vec3(sinPiOverX(z.x), sinPiOverX(z.y), sinPiOverX(z.z));
+    vec3 root = mix(0.225079079 / max(far, vec3(0.75)), lobe, lessThan(far, vec3(0.75)));
+    return mix(root, inversesqrt(window + 0.2), lessThan(max(far, vec3(0.5)), 0.5 * window));
 }
 float airyMean(float x) { return 1.0 / (1.0 + 24.3522727 * x * x * x); }        // pi^4/4: DLMF 10.17.3
 // `beat`: what is left of the fringes between the two rims.
@@ -131,16 +135,16 @@ vec3 polygonMeans(vec2 uv, mat2 perPixel, float step_, vec3 wavenumbers, uint fi
     vec3 sum = vec3(0.0), before = vec3(0.0), start = vec3(0.0);
     for (uint i = 0u; i < corners; ++i) {
         vec2 from = apertureVertex(first, i), to = apertureVertex(first, i + 1u < count ? i + 1u : 0u);
-        vec3 edge = polygonEdge(uv, from, to);
-        vec3 window = length((to - from) * perPixel) * wavenumbers + abs(edge.y) * step_;
-        vec3 wave = (edge.y < 0.0 ? -edge.z : edge.z) * inversesqrt(inverseSlitMean(edge.y * wavenumbers, window));
-        if (i == 0u) start = wave;
-        else sum += (wave - before) * (wave - before);
-        before = wave;
+        vec3 edge = polygonEdge(uv, from, to), along = edge.y * wavenumbers;
+        vec3 wave = edge.z * slitMeanRoot(along, length((to - from) * perPixel) * wavenumbers + abs(edge.y) * step_);
+        vec3 end = wave * clamp(2.0 * along, -1.0, 1.0);   // in the main lobe the ends are not told apart
+        if (i == 0u) start = end;
+        sum += wave * wave - before * end;
+        before = end;
     }
-    sum += (start - before) * (start - before);
+    sum -= before * start;
     float perWave = 0.159154943 / max(dot(uv, uv) * area_um2, 1e-18);
-    return wavenumbers * min(0.5 * perWave * perWave * float(count) / float(corners) * sum, wavenumbers * wavenumbers);
+    return wavenumbers * min(perWave * perWave * float(count) / float(corners) * sum, wavenumbers * wavenumbers);
 }
 
 // How much longer the way from one cell of a lattice is than from the next, `step_um` away: (high, low), in micrometres,

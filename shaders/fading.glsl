@@ -86,7 +86,8 @@ float meanAt(vec3 values, float wavenumber) {
 
 // Of one side of a rectangle, or of a mask's pixel, `x` turns between its ends at a wavenumber of 1.
 vec3 sideMeans(float x, float perPixel, float perStep, vec3 wavenumbers) {
-    return wavenumbers * wavenumbers * wavenumbers / inverseSlitMean(x * wavenumbers, perPixel * wavenumbers + perStep);
+    vec3 root = slitMeanRoot(x * wavenumbers, perPixel * wavenumbers + perStep);
+    return wavenumbers * wavenumbers * wavenumbers * root * root;
 }
 vec3 polygonMeansOf(OpeningGrating g, uint opening, OpeningView v, vec2 uv, vec3 wavenumbers) {
     uint count = opening == SYMMETRIC_OPENING ? 2u * g.edgeCount : g.edgeCount;

@@ -138,14 +138,14 @@ struct SpectrumPacker {
     }
 };
 
-// Twelve wavelengths give a single opening to 2e-4 of its peak, a fifth of the usual tolerance; the error
+// Sixteen wavelengths give a single opening to 1e-4 of its peak, a tenth of the usual tolerance; the error
 // goes as the inverse of their square. Twice as many do so also where metals on the way have their own say,
 // and the orders of a lattice take their number in step with the cells in a row (docs/theory.md, "Openings").
 // Beyond the most the device merges cells. Light from the rim of a near field and light from the middle turn
 // against each other by half the Fresnel number; a step is a fifth of such a turn.
 std::size_t waveCount(double extentInCells, double fresnelNumber, bool inBands, double tolerance) {
     constexpr double kMost = 256.0, kMostNear = 128.0;
-    const double fewest = std::max(8.0, std::round((inBands ? 24.0 : 12.0) * std::sqrt(1e-3 / tolerance)));
+    const double fewest = std::max(8.0, std::round((inBands ? 32.0 : 16.0) * std::sqrt(1e-3 / tolerance)));
     const double near = std::max(fewest, std::min(fewest + std::ceil(1.9 * fresnelNumber), kMostNear));
     return static_cast<std::size_t>(std::clamp(std::ceil(1.5 * extentInCells), std::min(near, kMost), kMost));
 }

@@ -44,7 +44,7 @@ double deviation(const scene::Scene& scene) {
     return worst / peak;
 }
 
-// Twelve wavelengths leave 2e-4, and the reference's own share of what propagates is good to 1e-3 where an
+// Sixteen wavelengths leave 1e-4, and the reference's own share of what propagates is good to 1e-3 where an
 // opening is wide. The phase across 60 um carries the 1.2e-7 of a float32 direction cosine as 2e-5 of a turn.
 TEST_P(Openings, OnDeviceAreAsTheReferenceHasThem) {
     EXPECT_LE(deviation(parsed(GetParam())), 1e-3);

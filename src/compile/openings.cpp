@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -63,6 +64,29 @@ struct OpeningPacker {
         }
     }
 };
+
+// What the beam makes of an opening: a Gaussian one takes its amplitude from a mask's pixels, to a factor,
+// which the power stands for. Other openings are lit evenly.
+optics::Aperture litAperture(const scene::Grating& grating) {
+    optics::Aperture aperture = grating.aperture;
+    auto* mask = std::get_if<optics::MaskAperture>(&aperture);
+    if (mask == nullptr || grating.beam.profile != scene::BeamProfile::gaussian) return aperture;
+    const double pixel = 2.0 * (mask->pixel / m) / (grating.beam.width / m);  // in radii of the beam
+    std::vector<double> squares;                                              // of the distance to its middle
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t row = 0; row < mask->rows; ++row) {
+        for (std::uint32_t column = 0; column < mask->columns; ++column) {
+            const dvec2 place =
+                pixel * dvec2(column - 0.5 * (mask->columns - 1.0), row - 0.5 * (mask->rows - 1.0));
+            if (mask->transmission[squares.size()] > 0.0F)
+                nearest = std::min(nearest, glm::dot(place, place));
+            squares.push_back(glm::dot(place, place));
+        }
+    }
+    for (std::size_t i = 0; i < squares.size(); ++i)
+        mask->transmission[i] *= toFloat(std::exp(nearest - squares[i]));
+    return aperture;
+}
 
 device::vec4 highAndLow(dvec2 value) {
     const device::vec2 high(value);
@@ -214,11 +238,12 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
 
     // The opening, and what its pattern needs.
-    const double area = optics::area(grating.aperture);
+    const optics::Aperture aperture = litAperture(grating);
+    const double area = optics::area(aperture);
     double peak = area * area;
-    const OpeningTables shape = openingTables(grating.aperture, incoming, tables.memo());
-    const double cellExtent = openingExtent(grating.aperture);
-    if (const auto* mask = std::get_if<optics::MaskAperture>(&grating.aperture)) {
+    const OpeningTables shape = openingTables(aperture, incoming, tables.memo());
+    const double cellExtent = openingExtent(aperture);
+    if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture)) {
         const optics::MaskSpectrum& maskSpectrum = shape.mask->spectrum;
         peak = maskSpectrum.peak();
         packed.opening = device::MASK_OPENING;
@@ -227,7 +252,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         packed.extent_um = toFloat(1e6 * cellExtent);
         packed.table = count(values.size());
         values.insert(values.end(), shape.mask->levels.begin(), shape.mask->levels.end());
-    } else if (const auto* lattice = std::get_if<optics::LatticeAperture>(&grating.aperture)) {
+    } else if (const auto* lattice = std::get_if<optics::LatticeAperture>(&aperture)) {
         std::visit(OpeningPacker{packed, values}, lattice->cell);
         packLattice(*lattice, packed);
     } else {
@@ -236,10 +261,10 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
                 if constexpr (requires { OpeningPacker{packed, values}(opening); })
                     OpeningPacker{packed, values}(opening);
             },
-            grating.aperture);
+            aperture);
     }
     assert(std::isfinite(cellExtent));
-    packed.isNear = hasNearField(grating.aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
+    packed.isNear = hasNearField(aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
 
     if (!spectrum.density.empty()) shape.shares->findAll();
     const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, *shape.shares, tables};
@@ -249,7 +274,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     constexpr double kFewestFringes = 6.0;
     const double size = beam.angularSize / rad;
     const double shortest = kShortestVisible_nm * 1e-9;
-    const double fringes = size * wholeExtent(grating.aperture) / shortest;
+    const double fringes = size * wholeExtent(aperture) / shortest;
     const double resolved =
         fringes <= kFewestFringes ? fringes : std::min(size * cellExtent / shortest, kFewestFringes);
     // Gauss's rule, to 1e-4. In a near field the device averages over the source.
@@ -260,7 +285,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     std::vector<Wave> waves;
     if (!spectrum.density.empty()) {
         const std::vector<double> wavenumbers = evenWavenumbers(
-            waveCount(wholeExtent(grating.aperture) / cellExtent, packed.isNear != 0 ? fresnelNumber : 0.0,
+            waveCount(wholeExtent(aperture) / cellExtent, packed.isNear != 0 ? fresnelNumber : 0.0,
                       tables.bands() > 1, tolerance));
         packed.wavenumberStep = toFloat(wavenumbers[1] - wavenumbers[0]);
         waves = packer.continuum(spectrum.density, wavenumbers);

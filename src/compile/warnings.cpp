@@ -31,6 +31,7 @@ std::optional<std::string> nearFieldWarning(const scene::Scene& scene, const sce
 
 std::optional<std::string> profileWarning(const scene::Grating& grating) {
     if (grating.beam.profile != scene::BeamProfile::gaussian) return {};
+    if (std::holds_alternative<optics::MaskAperture>(grating.aperture)) return {};  // takes the profile up
     const double across = wholeExtent(grating.aperture) / (grating.beam.width / units::m);
     const double fall = 1.0 - std::exp(-2.0 * across * across);
     if (!(fall > kEven)) return {};

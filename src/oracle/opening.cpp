@@ -92,10 +92,6 @@ Complex row(std::uint32_t count, double turnsPerStep) {
     return sum;
 }
 
-dvec2 pixelMiddle(const optics::MaskAperture& mask, std::uint32_t column, std::uint32_t row) {
-    return mask.pixel.si * dvec2(column - 0.5 * (mask.columns - 1.0), 0.5 * (mask.rows - 1.0) - row);
-}
-
 double chordPower(const std::vector<Chord>& chords, const dvec2& middle, const scene::Beam& beam) {
     double power = 0.0;
     for (const Chord& chord : chords) {
@@ -121,6 +117,10 @@ std::vector<dvec2> places(const OpeningShape& shape) {
 }
 
 }  // namespace
+
+dvec2 pixelMiddle(const optics::MaskAperture& mask, std::uint32_t column, std::uint32_t row) {
+    return mask.pixel.si * dvec2(column - 0.5 * (mask.columns - 1.0), 0.5 * (mask.rows - 1.0) - row);
+}
 
 std::vector<Chord> chords(const OpeningShape& shape, double turnsPerMetre) {
     std::vector<Chord> result;

@@ -27,6 +27,9 @@ struct Chord {
 // metre. Not for masks.
 std::vector<Chord> chords(const OpeningShape& shape, double turnsPerMetre);
 
+// Where the middle of a mask's pixel is.
+glm::dvec2 pixelMiddle(const optics::MaskAperture& mask, std::uint32_t column, std::uint32_t row);
+
 // Power that passes for an irradiance of 1 W/m^2.
 double openArea(const OpeningShape& shape);
 

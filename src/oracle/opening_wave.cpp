@@ -14,11 +14,25 @@ namespace {
 // Below this Fresnel number of the whole the far field is right to 1e-5.
 constexpr double kLeastFresnelNumber = 2e-3;
 
+// A mask's pixels each with the amplitude that the beam has there; other openings are lit evenly.
+OpeningShape inBeam(OpeningShape shape, const scene::Beam& beam) {
+    auto* mask = std::get_if<optics::MaskAperture>(&shape);
+    if (mask == nullptr) return shape;
+    for (std::uint32_t row = 0; row < mask->rows; ++row) {
+        for (std::uint32_t column = 0; column < mask->columns; ++column) {
+            const glm::dvec2 middle = pixelMiddle(*mask, column, row);
+            float& amplitude = mask->transmission[std::size_t{row} * mask->columns + column];
+            amplitude *= static_cast<float>(std::sqrt(relativeIrradiance(beam, middle.x, middle.y)));
+        }
+    }
+    return shape;
+}
+
 }  // namespace
 
 OpeningWave::OpeningWave(const scene::Grating& grating, const OpeningShape& shape)
-    : shape_(shape),
-      area_(openArea(shape)),
+    : shape_(inBeam(shape, grating.beam)),
+      area_(openArea(shape_)),
       extent_(oracle::extent(shape)),
       power_(grating.efficiency ? *grating.efficiency
                                 : peakIrradiance(grating.beam) * openArea(shape, grating.beam)) {

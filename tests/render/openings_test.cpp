@@ -166,6 +166,13 @@ TEST(OpeningsOnDevice, MaskIsAsTheReferenceHasIt) {
     EXPECT_LE(deviation(scene), 1e-3);
 }
 
+// Half of the light falls within 6 um of the middle; at the letter's corners a hundredth is left.
+TEST(OpeningsOnDevice, MaskInANarrowGaussianBeamIsAsTheReferenceHasIt) {
+    scene::Scene scene = sceneOf(kCircle, R"("profile": "gaussian", "diameter": "20 um")");
+    gratingOf(scene).aperture = letter(1.5 * units::um);
+    EXPECT_LE(deviation(scene), 1e-3);
+}
+
 // The mean over the source's square of the pattern that each of its points makes, by the midpoint rule: 24
 // points for a fringe leave (pi / 24)^2 / 24 of it along either side.
 TEST(OpeningsOnDevice, SourceOfSomeSizeBlursThePattern) {

@@ -87,6 +87,7 @@ public:
         } catch (const gpu::DeviceError& error) {
             throw gpu::DeviceError(error.what() + rescued());
         }
+        window.hide();  // what the engine is at may take some seconds
         engine_.close();
         const auto said = engine_.validationMessages();
         messages.insert(messages.begin(), said.begin(), said.end());
@@ -178,7 +179,7 @@ private:
 
     void navigate(const Window& window, const Rectangle& place, std::span<const KeyPress> keys) {
         const scene::Camera camera = camera_.value_or(scene_.camera);
-        const auto next = navigated(camera, scene_.camera, place, window, keys, !instrument_.isOn());
+        const auto next = navigated(camera, scene_, place, window, keys, !instrument_.isOn());
         if (!next) return;
         camera_ = *next;
         ++cameraNumber_;
@@ -186,7 +187,10 @@ private:
     }
 
     void useInstrument(const Rectangle& place) {
-        if (auto measured = engine_.takeMeasured()) instrument_.take(std::move(*measured));
+        if (auto measured = engine_.takeMeasured()) {
+            instrument_.take(std::move(*measured));
+            framesDue_ = kFramesToSettle;  // its tables take the widths of what they hold
+        }
         instrument_.lookAtClosedForm();
         if (instrument_.followMouse(scene_, camera_.value_or(scene_.camera), place))
             engine_.measure(instrument_.probe());

@@ -8,6 +8,7 @@
 #include "scene/json_text.hpp"
 #include "scene/overrides.hpp"
 #include "scene/schema.hpp"
+#include "scene/validate.hpp"
 
 namespace fringe::preview {
 namespace {
@@ -58,12 +59,12 @@ void Document::set(const std::string& path, const Json::Value& value) {
 
 void Document::reload(std::string text) {
     isChanged_ = false;
-    take({std::move(text), source_->file, given_});
-}
-
-void Document::take(Source source) {
-    source_ = std::make_shared<const Source>(std::move(source));
-    if (auto root = rootOf(*source_)) root_ = std::move(*root);
+    source_ = std::make_shared<const Source>(Source{std::move(text), source_->file, given_});
+    auto root = rootOf(*source_);
+    if (!root) return;
+    scene::Findings findings;
+    scene::validate(*root, scene::sceneSchema(), {}, findings);
+    if (findings.empty()) root_ = std::move(*root);
 }
 
 std::string jsonText(const Json::Value& value) {

@@ -15,7 +15,7 @@ namespace fringe::preview {
 
 class Document {
 public:
-    // Precondition: the text is JSON.
+    // Precondition: the schema takes the text.
     explicit Document(Source source);
 
     const Json::Value& root() const { return root_; }
@@ -30,12 +30,10 @@ public:
     void set(const std::string& path, const Json::Value& value);
 
     // Takes the text of the file as it is now; changes made so far are gone, but those that the Source came
-    // with stay. A text that is no JSON leaves root() as it was.
+    // with stay. A text that the schema refuses leaves root() as it was.
     void reload(std::string text);
 
 private:
-    void take(Source source);
-
     std::shared_ptr<const Source> source_;
     Json::Value root_;
     std::vector<scene::Override> given_;  // that the Source came with

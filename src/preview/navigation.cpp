@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "preview/camera_motion.hpp"
+#include "preview/picking.hpp"
 
 namespace fringe::preview {
 namespace {
@@ -75,13 +76,13 @@ std::optional<scene::Camera> dragged(const scene::Camera& camera, double height,
     return std::nullopt;
 }
 
-std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Camera& home,
+std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Scene& scene,
                                    const Window& window, std::span<const KeyPress> keys) {
     if (!hasKeyboard()) return std::nullopt;
     for (const KeyPress& press : keys) {
-        if (press.key == GLFW_KEY_H) return home;
+        if (press.key == GLFW_KEY_H) return scene.camera;
         for (const ViewKey& view : kViewKeys)
-            if (press.key == view.key) return seenFrom(camera, view.side);
+            if (press.key == view.key) return withinRoom(scene, seenFrom(camera, view.side));
     }
     const glm::dvec3 direction = flight(window);
     if (direction == glm::dvec3(0.0)) return std::nullopt;
@@ -91,14 +92,14 @@ std::optional<scene::Camera> byKey(const scene::Camera& camera, const scene::Cam
 
 }  // namespace
 
-std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
+std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Scene& scene,
                                        const Rectangle& place, const Window& window,
                                        std::span<const KeyPress> keys, bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
     std::optional<scene::Camera> result = dragged(camera, std::max(1.0, 1.0 * place.height), leftOrbits);
     if (io.MouseWheel != 0.0F && !io.WantCaptureMouse)
         result = dollied(result.value_or(camera), std::pow(kWheel, double{io.MouseWheel}));
-    if (const auto moved = byKey(result.value_or(camera), home, window, keys)) result = moved;
+    if (const auto moved = byKey(result.value_or(camera), scene, window, keys)) result = moved;
     return result;
 }
 

@@ -9,10 +9,9 @@
 
 namespace fringe::preview {
 
-// The camera after what was done since the last frame; nothing if it stays. `home` is the scene's own,
-// `place` that of the picture in the window, `keys` went down in it. Without `leftOrbits` the left button
-// alone does nothing.
-std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Camera& home,
+// The camera after what was done since the last frame; nothing if it stays. `place` is that of the picture in
+// the window, `keys` went down in it. Without `leftOrbits` the left button alone does nothing.
+std::optional<scene::Camera> navigated(const scene::Camera& camera, const scene::Scene& scene,
                                        const Rectangle& place, const Window& window,
                                        std::span<const KeyPress> keys, bool leftOrbits);
 

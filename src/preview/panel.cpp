@@ -103,7 +103,8 @@ void drawTimes(const Facts& facts) {
     if (!ImGui::CollapsingHeader("Renderer", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const State& state = facts.state;
     ImGui::TextWrapped("%s", state.device.empty() ? "opening the device" : state.device.c_str());
-    ImGui::Text("%5.1f pictures/s while it moves", double{facts.picturesPerSecond});
+    if (facts.picturesPerSecond > 0.0F)
+        ImGui::Text("%5.1f pictures/s while it moves", double{facts.picturesPerSecond});
     ImGui::Text("%5.1f ms a sample, full size", state.timing.sample);
     ImGui::Text("%5.1f ms to develop", state.timing.develop);
     ImGui::Text("%5.1f ms to compile the scene", state.timing.scene);
@@ -121,12 +122,17 @@ void drawKeys(Settings& settings, int left) {
     ImGui::SetNextWindowPos({static_cast<float>(left) + kMargin, kMargin}, ImGuiCond_Appearing);
     ImGui::Begin("Keys", &settings.showsKeys,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    // Within the window, which may be narrow.
+    const float room = std::max(ImGui::GetIO().DisplaySize.x - static_cast<float>(left) - 3.0F * kMargin,
+                                20.0F * ImGui::GetFontSize());
     if (ImGui::BeginTable("keys", 2)) {
-        const auto row = [](const KeyHelp& help) {
+        const auto row = [&](const KeyHelp& help) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(help.keys);
             ImGui::TableNextColumn();
+            ImGui::PushTextWrapPos(room);
             ImGui::TextUnformatted(help.what);
+            ImGui::PopTextWrapPos();
         };
         for (const KeyHelp& help : navigationHelp()) row(help);
         for (const KeyHelp& help : instrumentHelp()) row(help);

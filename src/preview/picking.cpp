@@ -44,6 +44,19 @@ std::optional<Pick> pickAt(const scene::Scene& scene, const scene::Camera& camer
     return Pick{object, ray.at(nearest->distance), faces ? nearest->normal : -nearest->normal};
 }
 
+scene::Camera withinRoom(const scene::Scene& scene, scene::Camera camera) {
+    constexpr double kStart = 1e-3, kLeast = 0.1, kBefore = 0.98;  // of the way
+    const dvec3 outward = camera.position - camera.target;
+    scene::Camera back = camera;  // from the target, which may be on a surface itself
+    back.position = camera.target + kStart * outward;
+    back.target = camera.position;
+    const auto wall = pickAt(scene, back, 0.5 * glm::dvec2(scene.image.width, scene.image.height));
+    if (!wall) return camera;
+    const double share = glm::distance(wall->point, camera.target) / glm::length(outward);
+    if (share > kLeast && share < 1.0) camera.position = camera.target + kBefore * share * outward;
+    return camera;
+}
+
 std::optional<glm::dvec2> placeOf(const scene::Image& image, const scene::Camera& camera, dvec3 point) {
     const dvec3 forward = glm::normalize(camera.target - camera.position);
     const dvec3 right = glm::normalize(glm::cross(forward, camera.up));

@@ -20,6 +20,10 @@ struct Pick {
 // nearer.
 std::optional<Pick> pickAt(const scene::Scene& scene, const scene::Camera& camera, glm::dvec2 place);
 
+// The camera nearer to its target where a surface would be between them, so that a room is seen from inside;
+// not by more than nine tenths of the way.
+scene::Camera withinRoom(const scene::Scene& scene, scene::Camera camera);
+
 // Where a point is in the picture; nothing behind the camera.
 std::optional<glm::dvec2> placeOf(const scene::Image& image, const scene::Camera& camera, glm::dvec3 point);
 

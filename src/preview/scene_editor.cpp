@@ -24,11 +24,31 @@ struct Change {
 std::optional<Change> drawAny(const Schema& schema, const std::string& label, const Json::Value& value,
                               const std::string& path);
 
+// What the schema says about the widget that was drawn last, beside the panel while the mouse is on it.
+void explain(const Schema& schema) {
+    constexpr float kWidth = 26.0F;  // in heights of text
+    if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
+    std::string text = schema.description;
+    if (isDirection(schema)) {
+        text +=
+            (text.empty() ? "" : "\n") +
+            std::string("Here by two angles: around the vertical, from +z on to +x, and above the horizon.");
+    }
+    if (text.empty()) return;
+    ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetItemRectMin().y});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(kWidth * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 // A key that is not there: a button that adds it.
 std::optional<Change> drawMissing(const Property& property, const std::string& path) {
     std::optional<Change> change;
     if (ImGui::SmallButton(fmt::format("+ {}", property.name).c_str()))
         change = Change{path, exampleOf(property.schema)};
+    explain(property.schema);
     return change;
 }
 
@@ -70,7 +90,9 @@ std::optional<Change> drawForm(const Schema& schema, const Schema* form, const s
                                const Json::Value& value, const std::string& path) {
     std::optional<Change> change;
     const std::string shown = form != nullptr ? labelOf(*form) : "?";
-    if (!ImGui::BeginCombo(label.c_str(), shown.c_str())) return change;
+    const bool isOpen = ImGui::BeginCombo(label.c_str(), shown.c_str());
+    explain(schema);
+    if (!isOpen) return change;
     for (const Schema& other : schema.alternatives) {
         const bool isChosen = ImGui::Selectable(labelOf(other).c_str(), &other == form);
         if (isChosen && &other != form) change = Change{path, adapted(value, other)};
@@ -106,8 +128,9 @@ std::optional<Change> drawArray(const Schema& schema, const Json::Value& array, 
 std::optional<Change> drawAny(const Schema& schema, const std::string& label, const Json::Value& value,
                               const std::string& path) {
     if (isSimple(schema)) {
-        if (auto changed = drawValue(schema, label.c_str(), value)) return Change{path, *changed};
-        return std::nullopt;
+        const auto changed = drawValue(schema, label.c_str(), value);
+        explain(schema);
+        return changed ? std::optional(Change{path, *changed}) : std::nullopt;
     }
     if (!schema.alternatives.empty()) {
         const Schema* form = scene::alternativeFor(schema, value);
@@ -117,7 +140,8 @@ std::optional<Change> drawAny(const Schema& schema, const std::string& label, co
         ImGui::Indent();
         ImGui::PushID("form");
         if (isScalar || !form->properties.empty() || form->items != nullptr) {
-            auto changed = isScalar           ? drawAny(*form, labelOf(*form), value, path)
+            // The list above says already what it is.
+            auto changed = isScalar           ? drawAny(*form, "##value", value, path)
                            : value.isObject() ? drawObject(*form, value, path)
                                               : drawAny(*form, label, value, path);
             if (changed) change = changed;
@@ -127,7 +151,9 @@ std::optional<Change> drawAny(const Schema& schema, const std::string& label, co
         return change;
     }
     std::optional<Change> change;
-    if (!ImGui::TreeNodeEx(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return change;
+    const bool isUnfolded = ImGui::TreeNodeEx(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    explain(schema);
+    if (!isUnfolded) return change;
     if (value.isObject()) change = drawObject(schema, value, path);
     else if (value.isArray() && schema.items != nullptr) change = drawArray(schema, value, path);
     ImGui::TreePop();
@@ -171,7 +197,8 @@ std::optional<Change> drawMaterials(const Schema& schema, const Json::Value& mat
     std::optional<Change> change;
     for (const std::string& name : materials.getMemberNames()) {
         if (name.find('.') != std::string::npos) continue;  // no path leads there
-        if (auto changed = drawEntry(*schema.mapped, name, materials[name], "materials." + name, false))
+        const bool isOpen = materials[name]["type"] == "optical-disc";
+        if (auto changed = drawEntry(*schema.mapped, name, materials[name], "materials." + name, isOpen))
             change = changed;
     }
     return change;
@@ -222,9 +249,14 @@ bool drawSceneEditor(Document& document) {
         if (auto changed = draw(of(key), value)) change = changed;
         ImGui::PopID();
     };
+    const auto isGrating = [](const Json::Value& light) {
+        return light.isObject() && light["type"] == "grating";
+    };
+    const Json::Value& lights = root["lights"];
+    const bool hasGratings = std::any_of(lights.begin(), lights.end(), isGrating);
     section("Lights", "lights", true,
             [](const Schema& s, const Json::Value& v) { return drawEntries(s, v, "lights", true); });
-    section("Materials", "materials", false, drawMaterials);
+    section("Materials", "materials", !hasGratings, drawMaterials);  // of discs, then
     section("Objects", "objects", false,
             [](const Schema& s, const Json::Value& v) { return drawEntries(s, v, "objects", false); });
     section("Camera", "camera", false, drawCamera);

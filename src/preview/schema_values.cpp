@@ -63,6 +63,7 @@ Json::Value adapted(const Json::Value& value, const Schema& schema) {
 }
 
 std::string labelOf(const Schema& schema) {
+    if (schema.title.empty()) return schema.choices.empty() ? "number" : schema.choices.front().asString();
     std::string_view title = schema.title;
     for (const std::string_view article : {"a ", "an ", "the "}) {
         if (title.starts_with(article)) title.remove_prefix(article.size());

@@ -15,7 +15,7 @@ Json::Value exampleOf(const scene::Schema& schema);
 // `value` made into an object of another schema: keys that both know stay, what is required is added.
 Json::Value adapted(const Json::Value& value, const scene::Schema& schema);
 
-// What an alternative is called in a list: its title without the article.
+// What an alternative is called in a list: its title without the article, else its value or "number".
 std::string labelOf(const scene::Schema& schema);
 
 }  // namespace fringe::preview

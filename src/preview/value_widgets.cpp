@@ -141,12 +141,16 @@ bool isSimple(const Schema& schema) {
     return isVector(schema) || (schema.type != JsonType::object && schema.type != JsonType::array);
 }
 
+bool isDirection(const Schema& schema) {
+    return isVector(schema) && schema.title.find("direction") != std::string::npos;
+}
+
 std::optional<Json::Value> drawValue(const Schema& schema, const char* label, const Json::Value& value) {
     if (schema.unit) return drawQuantity(schema, label, value);
     if (!schema.choices.empty() && value.isString()) return drawChoice(schema, label, value);
     if (isVector(schema)) {
-        const bool isDirection = schema.title.find("direction") != std::string::npos && value.size() == 3;
-        return isDirection ? drawDirection(label, value) : drawVector(schema, label, value);
+        return isDirection(schema) && value.size() == 3 ? drawDirection(label, value)
+                                                        : drawVector(schema, label, value);
     }
     if (value.isBool()) {
         bool flag = value.asBool();

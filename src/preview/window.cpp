@@ -89,6 +89,11 @@ void Window::show() {
     glfwShowWindow(handle());
 }
 
+void Window::hide() {
+    glfwHideWindow(handle());
+    glfwPollEvents();
+}
+
 void Window::close() {
     glfwSetWindowShouldClose(handle(), GLFW_TRUE);
 }

@@ -59,6 +59,7 @@ public:
     float scale() const;    // pixels of a point of text, more than 1 on displays of high density
     bool wantsToClose() const;
     void show();
+    void hide();
     void setTitle(const std::string& title);
     void close();
 

@@ -33,6 +33,7 @@ struct Property;
 
 struct Schema {
     std::string title;
+    std::string description;  // a sentence or more for whoever writes a scene
     std::optional<JsonType> type;
     std::vector<Json::Value> choices;  // the values of enum or const; none: no such limit
     Json::Value defaultValue;          // null: none

@@ -94,7 +94,7 @@ private:
         static const std::map<std::string, Keyword, std::less<>> table{
             {"$schema", &Reader::ignore},
             {"$defs", &Reader::ignore},
-            {"description", &Reader::ignore},
+            {"description", &Reader::description},
             {"pattern", &Reader::pattern},
             {"title", &Reader::title},
             {"type", &Reader::type},
@@ -152,6 +152,10 @@ private:
 
     void title(const Json::Value&, const Json::Value& value, Schema& schema) const {
         schema.title = value.asString();
+    }
+
+    void description(const Json::Value&, const Json::Value& value, Schema& schema) const {
+        schema.description = value.asString();
     }
 
     void type(const Json::Value&, const Json::Value& value, Schema& schema) const {

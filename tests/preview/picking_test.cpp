@@ -53,6 +53,19 @@ TEST(Picking, FindsNothingInTheSkyAndBehindALamp) {
     EXPECT_FALSE(pickAt(scene, scene.camera, {100, 50}));
 }
 
+// From the right there is a wall on the way, from the front none; a ball around the target is not kept
+// within.
+TEST(Picking, KeepsTheCameraWithinARoom) {
+    scene::Scene scene = room();
+    scene.objects = {{"wall", scene::Plane{{1, 0, 0}, {-1, 0, 0}}, 0}};
+    scene::Camera outside = scene.camera;
+    outside.position = {2, 0, 0};
+    EXPECT_LT(glm::distance(withinRoom(scene, outside).position, dvec3(0.98, 0, 0)), kRounding);
+    EXPECT_EQ(withinRoom(scene, scene.camera).position, scene.camera.position);
+    scene.objects = {{"ball", scene::Sphere{{0, 0, 0}, 0.15}, 0}};
+    EXPECT_EQ(withinRoom(scene, outside).position, outside.position);
+}
+
 // Back to the pixel, for each camera and for places all over the picture.
 TEST(Picking, GoesBackToThePlace) {
     scene::Scene scene = room();

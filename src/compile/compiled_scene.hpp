@@ -49,7 +49,7 @@ struct CompiledScene {
 enum class Viewpoint { fixed, moving };
 
 // The only place where units become floats. The same for the same scene; a memo only spares time
-// (table_memo.hpp).
+// (table_memo.hpp), unless drafts are wanted of it.
 CompiledScene compileScene(const scene::Scene& scene, Measure measure = Measure::color,
                            TableMemo* memo = nullptr, Viewpoint viewpoint = Viewpoint::fixed);
 

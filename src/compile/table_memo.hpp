@@ -25,15 +25,33 @@ public:
         Key& add(std::span<const float> values);
         Key& add(const optics::Aperture& aperture);
         Key& addReflectances(const SpectralTables& tables);  // and what is measured
+        void addDraft() { isDraft_ = true; }
 
+        bool isDraft() const { return isDraft_; }
         bool operator==(const Key&) const = default;
 
     private:
         std::vector<double> numbers_;
+        bool isDraft_ = false;
     };
 
     // A scene is compiled from here on: what the one before it did not ask for is let go.
     void beginScene();
+
+    // From now on new tables may be drafts (slitResponse()), for a scene that is about to change again.
+    void wantDrafts(bool wanted) { wantsDrafts_ = wanted; }
+    bool wantsDrafts() const { return wantsDrafts_; }
+
+    // Whether the scene that was compiled last has any.
+    bool hasDrafts() const {
+        return std::any_of(entries_.begin(), entries_.end(),
+                           [](const Entry& entry) { return entry.isWanted && entry.key.isDraft(); });
+    }
+
+    bool has(const Key& key) const {
+        return std::any_of(entries_.begin(), entries_.end(),
+                           [&](const Entry& entry) { return entry.key == key; });
+    }
 
     // What `make` returned for an equal key, or returns now. Precondition: a key stands for one type.
     template <class Make>
@@ -58,6 +76,7 @@ private:
     };
 
     std::vector<Entry> entries_;
+    bool wantsDrafts_ = false;
 };
 
 }  // namespace fringe::compile

@@ -55,6 +55,7 @@ void Rendering::load(const Wish& wish) {
         }
         scene->image = fitted(scene->image, progressive_.mostPixels());
         samplesOfScene_ = std::exchange(scene->image.samples, wish.samples);
+        memo_.wantDrafts(wish.isMoving);
         compiled_ = compile::compileScene(
             *scene, wish.switches.wavelength_nm ? compile::Measure::radiance : compile::Measure::color,
             &memo_, compile::Viewpoint::moving);

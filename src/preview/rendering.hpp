@@ -21,9 +21,10 @@ public:
     Rendering(const gpu::Device& device, LiveShaders* shaders) : progressive_(device), shaders_(shaders) {}
 
     // Whether the wish is for another scene, or for other parts of it, than the one that load() was last
-    // called with.
+    // called with; or for the same at rest, of which there are drafts of tables so far.
     bool isNewScene(const Wish& wish) const {
-        return wish.source != tried_ || wish.switches != triedSwitches_;
+        return wish.source != tried_ || wish.switches != triedSwitches_ ||
+               (!wish.isMoving && memo_.hasDrafts());
     }
 
     // Whether the wish is for other shaders than those that are known.

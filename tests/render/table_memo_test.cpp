@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 
@@ -110,6 +112,40 @@ TEST(TableMemo, ChangesNoOpening) {
         EXPECT_TRUE(sameBytes(remembered.openingGratings, afresh.openingGratings));
         EXPECT_TRUE(sameBytes(remembered.tables, afresh.tables));
         change(scene);
+    }
+}
+
+// A draft of a table that is there is never made, and none stays where no drafts are wanted.
+TEST(TableMemo, MakesDraftsForAMovingSceneAlone) {
+    for (const std::uint32_t count : {2U, 40U, 3000U}) {
+        TableMemo memo;
+        scene::Scene scene = room();
+        const compile::CompiledScene before = compile::compileScene(scene, compile::Measure::color, &memo);
+        memo.wantDrafts(true);
+        const compile::CompiledScene same = compile::compileScene(scene, compile::Measure::color, &memo);
+        EXPECT_TRUE(sameBytes(same.responses, before.responses));
+        EXPECT_FALSE(memo.hasDrafts());
+        slitsOf(scene, 1).count = count;
+        slitsOf(scene, 1).period = 2.2 * units::um;
+        const compile::CompiledScene draft = compile::compileScene(scene, compile::Measure::color, &memo);
+        EXPECT_TRUE(memo.hasDrafts());
+        memo.wantDrafts(false);
+        const compile::CompiledScene whole = compile::compileScene(scene, compile::Measure::color, &memo);
+        EXPECT_FALSE(memo.hasDrafts());
+        const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
+        EXPECT_TRUE(sameBytes(whole.responses, afresh.responses));
+        EXPECT_TRUE(sameBytes(whole.tables, afresh.tables));
+        // The same pipeline and the same places of tables; another table, but not by much.
+        EXPECT_EQ(compile::specialise(draft, scene.camera), compile::specialise(whole, scene.camera));
+        ASSERT_EQ(draft.responses.size(), whole.responses.size());
+        EXPECT_FALSE(sameBytes(draft.responses, whole.responses));
+        double worst = 0.0;  // of the light up to an entry, as a share of all
+        for (std::size_t i = 0; i < whole.responses.size(); ++i)
+            for (int channel = 0; channel < 3; ++channel)
+                worst = std::max(worst, std::abs(double{1.0} * draft.responses[i].integral[channel] -
+                                                 whole.responses[i].integral[channel]) /
+                                            2147483647.0);
+        EXPECT_LT(worst, 0.01) << count;  // of many slits, whose orders are drawn in steps of some nanometres
     }
 }
 

@@ -103,8 +103,12 @@ void drawTimes(const Facts& facts) {
     if (!ImGui::CollapsingHeader("Renderer", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const State& state = facts.state;
     ImGui::TextWrapped("%s", state.device.empty() ? "opening the device" : state.device.c_str());
-    if (facts.picturesPerSecond > 0.0F)
+    // Either way a line, so that nothing jumps.
+    if (facts.picturesPerSecond > 0.0F) {
         ImGui::Text("%5.1f pictures/s while it moves", double{facts.picturesPerSecond});
+    } else {
+        ImGui::TextUnformatted("    - pictures/s while it moves");
+    }
     ImGui::Text("%5.1f ms a sample, full size", state.timing.sample);
     ImGui::Text("%5.1f ms to develop", state.timing.develop);
     ImGui::Text("%5.1f ms to compile the scene", state.timing.scene);

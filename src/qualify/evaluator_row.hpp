@@ -18,11 +18,11 @@ struct EvaluatorRow {
     // Against the oracle, relative to its highest value in the case; and CIEDE2000 with that value as white.
     double maxError = 0.0;
     double rmsError = 0.0;
-    double worstInput = 0.0;      // where the error is largest: the change of the direction cosine, u
-    double deltaE = 0.0;          // the largest
-    std::uint64_t nonFinite = 0;  // results that are no number, left out of the errors
-    std::uint64_t judged = 0;     // results in all
-    std::optional<double> bound;  // of maxError, where something is promised
+    double worstInput = 0.0;            // where the error is largest: the change of the direction cosine, u
+    double deltaE = 0.0;                // the largest
+    std::uint64_t nonFinite = 0;        // results that are no number, left out of the errors
+    std::uint64_t judged = 0;           // results in all
+    std::optional<double> bound;        // of maxError, where something is promised
     std::optional<double> deltaEBound;  // of deltaE
 
     // Nothing where it was not timed. Milliseconds per million evaluations, and their ratio to those of the

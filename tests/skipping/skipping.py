@@ -40,6 +40,26 @@ FEATURES = {
     "sums as printed": (["HAS_NAIVE_EVALUATOR"], []),
     "responses in bands": (["HAS_BAND_RESPONSES"], []),
     "coarse slits": (["HAS_PAIRS_EVALUATOR"], []),
+    "lines through slits": (["HAS_SLIT_LINES"], []),
+    "continuous spectra through slits": (["HAS_SLIT_CONTINUUM"], []),
+    "wide gratings": (["HAS_WIDE_GRATINGS"], []),
+    "Gaussian beams": (["HAS_GAUSSIAN_BEAMS"], []),
+    "given efficiencies": (["HAS_ORDER_SHARES"], []),
+    "Fresnel's ripples": (["HAS_RIPPLES"], []),
+    "look-up in tables": (["HAS_TABLE_EVALUATOR"], []),
+    "sources with a size": (["HAS_WIDE_SOURCES"], []),
+    "rectangular openings": (["HAS_RECTANGULAR_OPENINGS"], []),
+    "circular openings": (["HAS_CIRCULAR_OPENINGS"], []),
+    "ring openings": (["HAS_RING_OPENINGS"], []),
+    "polygonal openings": (["HAS_POLYGONAL_OPENINGS", "HAS_SYMMETRIC_OPENINGS"], []),
+    "masks": (["HAS_MASK_OPENINGS"], []),
+    "lattices": (["HAS_LATTICES"], []),
+    "what pits scatter": (["HAS_SCATTERING"], []),
+    "vinyl's grooves": (["HAS_GROOVES"], []),
+    "continuous spectra on discs": (["HAS_DISC_CONTINUUM"], []),
+    "lines on discs": (["HAS_DISC_LINES"], []),
+    "matt surfaces": (["HAS_DIFFUSE"], []),
+    "several samples": (["HAS_SEVERAL_SAMPLES"], []),
     "depth of field": (["HAS_LENS"], []),
     "0/0 as printed": (["HAS_PRINTED_FAULTS"], []),
     "tree of shapes": (["TREE_DEPTH"], []),
@@ -52,6 +72,17 @@ FEATURES = {
     "cones": (["CONE_COUNT"], ["CONE"]),
     "planes": (["PLANE_COUNT"], ["PLANE"]),
 }
+
+
+# Numbers, of which none is a feature.
+NO_FEATURES = {"LIGHT_COUNT", "MATERIAL_COUNT"}
+
+
+def unknown_constants() -> set[str]:
+    """What the shaders may be told and no feature here names."""
+    named = {constant for constants, _ in FEATURES.values() for constant in constants}
+    declared = re.findall(r"X\(\d+, ((?:HAS_\w+)|(?:\w+_COUNT))\)", (SHADERS / "specialisation.h").read_text())
+    return set(declared) - named - NO_FEATURES
 
 
 def run(*command: str) -> str:
@@ -156,6 +187,9 @@ def main() -> int:
     parser.add_argument("--each", action="store_true", help="every feature on its own as well")
     options = parser.parse_args()
     failed = False
+    if unknown := unknown_constants():
+        print(f"of no feature in {pathlib.Path(__file__).name}: {', '.join(sorted(unknown))}")
+        failed = True
     for scene in options.scenes:
         values = specialisation_of(options.fringe, scene)
         tree = int(values["TREE_DEPTH"] > 0)
@@ -174,7 +208,7 @@ def main() -> int:
                 has = any(values[constant] for constant in constants)
                 wrong = count >= whole if has else count < whole
                 failed = failed or wrong
-                print(f"  {name:<27}{'has' if has else 'lacks':<6} deleted: {count:6}{'  WRONG' if wrong else ''}", flush=True)
+                print(f"  {name:<33}{'has' if has else 'lacks':<6} deleted: {count:6}{'  WRONG' if wrong else ''}", flush=True)
     return CHECK_FAILED if failed else 0
 
 

@@ -68,8 +68,8 @@ Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
 }
 
 // Of the pixel that holds the middle.
-float coreMean(Fading fading, float wavenumber) {
-    return min(1.0 / (fading.core.x * wavenumber * wavenumber + max(0.65, fading.core.y * wavenumber)), 1.0);
+vec3 coreMeans(Fading fading, vec3 wavenumbers) {
+    return min(1.0 / (fading.core.x * wavenumbers * wavenumbers + max(vec3(0.65), fading.core.y * wavenumbers)), 1.0);
 }
 
 // Means change slowly with the wavenumber, so three are enough. Not so the beats of a ring, nor where the points of a source
@@ -96,11 +96,13 @@ vec3 polygonMeansOf(OpeningGrating g, uint opening, OpeningView v, vec2 uv, vec3
 
 // `x`: turns between the sides.
 vec2 sidePatterns(Fading fading, uint opening, vec2 x, float wavenumber) {
-    if (!knowsMeans(opening)) {
-        fading.first = sideMeans(x.x / wavenumber, fading.perPixel_um.x, fading.perStep.x, vec3(wavenumber));
-        fading.second = sideMeans(x.y / wavenumber, fading.perPixel_um.y, fading.perStep.y, vec3(wavenumber));
+    vec2 mean;
+    if (knowsMeans(opening)) {
+        mean = vec2(meanAt(fading.first, wavenumber), meanAt(fading.second, wavenumber));
+    } else {
+        vec2 root = slitMeanRoot(vec3(x, 0.0), vec3(fading.perPixel_um * wavenumber + fading.perStep, 0.0)).xy;
+        mean = root * root;
     }
-    vec2 mean = vec2(meanAt(fading.first, wavenumber), meanAt(fading.second, wavenumber));
     return mix(mean, vec2(slitFactor(x.x), slitFactor(x.y)), fading.contrast);
 }
 
@@ -121,8 +123,7 @@ void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fadin
             fading.first = polygonMeansOf(g, opening, v, v.uv, wavenumbers);
     }
     if (fading.kept < 1.0) {
-        vec3 covered_ = fading.core.x * wavenumbers * wavenumbers + max(vec3(0.65), fading.core.y * wavenumbers);
-        fading.first = min(cubes / covered_, cubes);
+        fading.first = cubes * coreMeans(fading, wavenumbers);
         fading.contrast.x = fading.kept;
     }
 }

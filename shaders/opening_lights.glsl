@@ -138,8 +138,8 @@ float polygonOf(OpeningGrating g, uint opening, Outline outline, vec2 uv, float 
     return polygonIntensity(sum, scale);
 }
 
-// Relative to the peak.
-float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
+// Relative to the peak, outside the pixel that holds the middle.
+float patternAround(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
     vec2 f_per_um = uv * wavenumber, contrast = fading.contrast;
     if (opening == RECTANGULAR_OPENING) {
         vec2 sides = sidePatterns(fading, opening, f_per_um * g.size_um, wavenumber);
@@ -159,6 +159,12 @@ float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fad
     return mix(mean, polygonOf(g, opening, outline, uv, wavenumber), contrast.x);
 }
 
+// Relative to the peak. Means that are known hold that pixel's too.
+float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
+    float pattern = patternAround(g, opening, outline, fading, v, uv, wavenumber);
+    return knowsMeans(opening) ? pattern : mix(coreMeans(fading, vec3(wavenumber)).x, pattern, fading.kept);
+}
+
 // Sum over the first `count` entries of the list; `count` is 0 where the opening is another one.
 vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance, Throughput throughput) {
     Outline outline;
@@ -175,7 +181,6 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
             OpeningSample sample_ = scene.openingSamples[i];
             float pattern = openingPattern(g, opening, outline, fading, v, v.uv, sample_.wavenumber);
-            if (!knowsMeans(opening)) pattern = mix(coreMean(fading, sample_.wavenumber), pattern, fading.kept);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
             sum += pattern * throughputAt(throughput, 1.0 / sample_.wavenumber) * sample_.color;
         }
@@ -192,10 +197,7 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         if (HAS_NEAR_OPENINGS != 0u && opening <= RING_OPENING && decided(g.isNear) != 0u) {
             isNear = nearPattern(g, opening, near, fading, v.uv - shift, wavenumber, pattern);
         }
-        if (!isNear) {
-            pattern = openingPattern(g, opening, outline, fading, v, v.uv - shift, wavenumber);
-            if (!knowsMeans(opening)) pattern = mix(coreMean(fading, wavenumber), pattern, fading.kept);
-        }
+        if (!isNear) pattern = openingPattern(g, opening, outline, fading, v, v.uv - shift, wavenumber);
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);
     }

@@ -96,14 +96,15 @@ bool reachesPoint(uint i, vec3 position) {
 uint candidates(uint first, uint end, vec3 position) {
     uint bits = 0u;
     if (ASKS_ALL_GRATINGS) {
+        // By their constant places, not gratingAt() and its likes: a selection among all for each is much to compile.
         [[unroll]] for (uint i = 0u; i < GRATING_COUNT; ++i) {
-            if (reachesBand(gratingAt(i), position)) bits |= 1u << i;
+            if (reachesBand(scene.gratings[i], position)) bits |= 1u << i;
         }
         [[unroll]] for (uint i = 0u; i < SLIT_GRATING_COUNT; ++i) {
             if (reachesSlits(scene.slitGratings[i], position)) bits |= 1u << (GRATING_COUNT + i);
         }
         [[unroll]] for (uint i = 0u; i < OPENING_GRATING_COUNT; ++i) {
-            if (reachesOpening(openingGratingAt(i), position)) bits |= 1u << (GRATING_COUNT + SLIT_GRATING_COUNT + i);
+            if (reachesOpening(scene.openingGratings[i], position)) bits |= 1u << (GRATING_COUNT + SLIT_GRATING_COUNT + i);
         }
     } else {
         for (uint entry = first; entry < min(end, first + 32u); ++entry) {

@@ -40,12 +40,6 @@ double shareStep_nm(double cellExtent, bool isLattice) {
     return isLattice ? 5.0 : 10.0;
 }
 
-template <class Make>
-auto kept(TableMemo* memo, TableMemo::Key key, Make make) {
-    using Table = std::invoke_result_t<Make>;
-    return memo == nullptr ? std::make_shared<const Table>(make()) : memo->table(std::move(key), make);
-}
-
 }  // namespace
 
 MaskTables tablesOf(const optics::MaskAperture& mask) {
@@ -79,9 +73,9 @@ OpeningTables openingTables(const optics::Aperture& aperture, const glm::dvec2& 
     TableMemo::Key key = TableMemo::Key().add(aperture);
     OpeningTables tables;
     if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture))
-        tables.mask = kept(memo, key, [&] { return tablesOf(*mask); });
+        tables.mask = rememberedTable(memo, key, [&] { return tablesOf(*mask); });
     key.add(incoming.x).add(incoming.y);
-    tables.shares = *kept(memo, std::move(key), [&] {
+    tables.shares = *rememberedTable(memo, std::move(key), [&] {
         const double step_nm =
             shareStep_nm(openingExtent(aperture), std::holds_alternative<optics::LatticeAperture>(aperture));
         return std::make_shared<OpeningShares>(

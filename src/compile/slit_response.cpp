@@ -290,15 +290,12 @@ double LitSlits::propagatingShare(double wavelength_nm) const {
 
 std::shared_ptr<const SlitResponse> slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
                                                  const SpectralTables& tables, bool zeroOrder, double perU) {
-    const auto make = [&](bool isDraft) {
-        return makeResponse(lit, spectrum, tables, zeroOrder, perU, isDraft);
-    };
     TableMemo* const memo = tables.memo();
-    if (memo == nullptr) return std::make_shared<const SlitResponse>(make(false));
     TableMemo::Key key = keyOf(lit, spectrum, tables, zeroOrder, perU);
-    const bool isDraft = memo->wantsDrafts() && !memo->has(key);
+    const bool isDraft = memo != nullptr && memo->wantsDrafts() && !memo->has(key);
     if (isDraft) key.addDraft();
-    return memo->table(std::move(key), [&] { return make(isDraft); });
+    return rememberedTable(memo, std::move(key),
+                           [&] { return makeResponse(lit, spectrum, tables, zeroOrder, perU, isDraft); });
 }
 
 }  // namespace fringe::compile

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "compile/spectral.hpp"
@@ -78,5 +79,12 @@ private:
     std::vector<Entry> entries_;
     bool wantsDrafts_ = false;
 };
+
+// TableMemo::table(), or what `make` returns where there is no memo.
+template <class Make>
+auto rememberedTable(TableMemo* memo, TableMemo::Key key, Make make) {
+    using Table = std::invoke_result_t<Make>;
+    return memo == nullptr ? std::make_shared<const Table>(make()) : memo->table(std::move(key), make);
+}
 
 }  // namespace fringe::compile

@@ -55,6 +55,8 @@ struct DeviceDescription {
     std::string driver;                // name and version, as the driver gives them
     std::string vulkan;                // version
     std::vector<std::string> missing;  // what Fringe needs and the device lacks; empty: it can run Fringe
+
+    bool isProcessor() const { return type == "CPU"; }
 };
 
 // All devices of this machine, in the loader's order. Throws DeviceError when there is no Vulkan at all.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kGpuTimeout_ns = 60'000'000'000;
 
 std::uint64_t timeout_ns(const Device& device) {
-    return device.description().type == "CPU" ? std::numeric_limits<std::uint64_t>::max() : kGpuTimeout_ns;
+    return device.description().isProcessor() ? std::numeric_limits<std::uint64_t>::max() : kGpuTimeout_ns;
 }
 
 bool isBound(const Binding& binding) {

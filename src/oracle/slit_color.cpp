@@ -82,14 +82,25 @@ std::vector<double> SlitColor::pieces(double from, double to) const {
     return ends;
 }
 
+// Fringes of the shortest wave.
+double SlitColor::finestIn(double width) const {
+    return width * light_.count * light_.period_um / (1e-3 * kFirst_nm);
+}
+
+// Features of the spectrum, some 30 nm wide and in the first order, or fringes of a line.
+double SlitColor::featuresIn(double width) const {
+    return std::max(width * light_.period_um / 0.03, lines_.empty() ? 0.0 : finestIn(width));
+}
+
+// What lies far within a feature is straight, its mean its middle to 2e-5, unless the slits are so many that
+// the spectrum's knots show.
+bool SlitColor::isNarrow(double width) const {
+    return featuresIn(width) < 0.02 && finestIn(width) < 0.1;
+}
+
 Xyz SlitColor::mean(double u, double width) const {
-    if (width == 0.0) return at(u);
-    // Features of the spectrum, some 30 nm wide and in the first order, or fringes of a line. What lies far
-    // within one is straight, its mean its middle to 2e-5, unless the slits are so many that the spectrum's
-    // knots show.
-    const double finest = width * light_.count * light_.period_um / (1e-3 * kFirst_nm);
-    const double features = std::max(width * light_.period_um / 0.03, lines_.empty() ? 0.0 : finest);
-    if (features < 0.02 && finest < 0.1) return at(u);
+    if (isNarrow(width)) return at(u);
+    const double features = featuresIn(width);
     const std::vector<double> ends = pieces(u - 0.5 * width, u + 0.5 * width);
     Xyz sum(0.0);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {

@@ -26,6 +26,9 @@ public:
     // CIE XYZ per unit of u of one watt that leaves, as the mean over a window of u.
     Xyz mean(double u, double width) const;
 
+    // Whether that is the value in the middle: one point instead of a dozen and more.
+    bool isNarrow(double width) const;
+
 private:
     struct Line {
         double wavelength_um;
@@ -33,6 +36,8 @@ private:
     };
 
     Xyz at(double u) const;
+    double finestIn(double width) const;
+    double featuresIn(double width) const;
     std::vector<double> pieces(double from, double to) const;
     double density(double u, double wavelength_um) const;
     Xyz weight(double wavelength_nm) const;

@@ -86,10 +86,9 @@ EvaluatorTruth oracleTruth(const EvaluatorCase& which, std::span<const Evaluator
     };
     const oracle::SlitColor color(
         {1.0 * which.count, which.width_um, which.period_um, which.spectrum, shareAt, undeviatedUpTo(which)});
-    const bool isMiddle = kWindow * which.period_um < 6e-4 && kWindow * which.count * which.period_um < 0.038;
     const double perInput = std::max(1600.0, 0.85 * which.count * which.period_um *
                                                  (which.largestSine + std::abs(which.incoming))) *
-                            (isMiddle ? 1.0 : 12.0);
+                            (color.isNarrow(kWindow) ? 1.0 : 12.0);
     const auto judged = static_cast<std::size_t>(std::clamp(patterns / perInput, 48.0, 2048.0));
     std::vector<dvec3> values(judged);
     onTwoThreads(judged, [&](std::size_t from, std::size_t to) {

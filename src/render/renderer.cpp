@@ -22,7 +22,7 @@ constexpr vk::DeviceSize kLargestFilm = 64ULL << 20;  // bytes; a picture beyond
 // compile for longer.
 bool pays(std::uint64_t unlitSamples, const gpu::Device& device) {
     constexpr std::uint64_t kFewest = 2'000'000;
-    return unlitSamples >= kFewest && device.description().type == "CPU";
+    return unlitSamples >= kFewest && device.description().isProcessor();
 }
 
 // Rows of film that there is room for: whole workgroups, and no more than the picture needs.

@@ -38,7 +38,7 @@ vk::raii::Buffer createBuffer(const Device& device, vk::DeviceSize bytes) {
 
 vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, Access access) {
     for (const vk::MemoryPropertyFlags wish : wishes(access)) {
-        if (const auto type = device.memoryType(needs.memoryTypeBits, wish)) {
+        if (const auto type = memoryType(device, needs.memoryTypeBits, wish)) {
             return {device.handle(), {needs.size, *type}};
         }
     }
@@ -60,7 +60,7 @@ Buffer::Buffer(const Device& device, vk::DeviceSize bytes, Access access)
 
 bool hasSharedMemory(const Device& device) {
     constexpr std::uint32_t kAnyType = ~0U;
-    return device.memoryType(kAnyType, kShared).has_value();
+    return memoryType(device, kAnyType, kShared).has_value();
 }
 
 }  // namespace fringe::gpu

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "gpu/device.hpp"
+#include "gpu/vulkan.hpp"
 
 namespace fringe::gpu {
 

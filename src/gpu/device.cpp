@@ -7,9 +7,30 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <mutex>
+#include <optional>
+
+#include "gpu/vulkan.hpp"
 
 namespace fringe::gpu {
 namespace {
+
+// What the validation layer says; the driver calls add() from any thread.
+class ValidationLog {
+public:
+    void add(std::string text) {
+        const std::scoped_lock lock(mutex_);
+        texts_.push_back(std::move(text));
+    }
+    std::vector<std::string> texts() const {
+        const std::scoped_lock lock(mutex_);
+        return texts_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::string> texts_;
+};
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 constexpr std::uint32_t kStorageBuffers = 16;  // bindings 1..16 of shaders/bindings.glsl
@@ -239,16 +260,6 @@ vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physical, std::uin
 
 }  // namespace
 
-void ValidationLog::add(std::string text) {
-    const std::scoped_lock lock(mutex_);
-    texts_.push_back(std::move(text));
-}
-
-std::vector<std::string> ValidationLog::texts() const {
-    const std::scoped_lock lock(mutex_);
-    return texts_;
-}
-
 std::vector<DeviceDescription> listDevices() {
     const vk::raii::Context context = openLoader();
     const vk::raii::Instance instance = createInstance(context, false, {});
@@ -257,25 +268,70 @@ std::vector<DeviceDescription> listDevices() {
     return devices;
 }
 
-Device::Device(const DeviceRequest& request)
-    : context_(openLoader()),
-      validation_(std::make_unique<ValidationLog>()),
-      instance_(createInstance(context_, request.validation, request.surfaceExtensions)),
-      messenger_(createMessenger(instance_, request.validation, validation_.get())),
-      physical_(choosePhysical(instance_, request.selector)),
-      description_(describe(physical_)),
-      limits_(physical_.getProperties().limits),
-      memory_(physical_.getMemoryProperties()),
-      queueFamily_(chooseFamily(physical_, !request.surfaceExtensions.empty())),
-      device_(createDevice(physical_, queueFamily_, !request.surfaceExtensions.empty())),
-      queue_(device_, queueFamily_, 0),
-      commandPool_(device_, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queueFamily_}) {}
+struct Device::Parts {
+    explicit Parts(const DeviceRequest& request)
+        : context(openLoader()),
+          instance(createInstance(context, request.validation, request.surfaceExtensions)),
+          messenger(createMessenger(instance, request.validation, &validation)),
+          physical(choosePhysical(instance, request.selector)),
+          description(describe(physical)),
+          limits(physical.getProperties().limits),
+          queueFamily(chooseFamily(physical, !request.surfaceExtensions.empty())),
+          device(createDevice(physical, queueFamily, !request.surfaceExtensions.empty())),
+          queue(device, queueFamily, 0),
+          commandPool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, queueFamily}) {}
 
-std::optional<std::uint32_t> Device::memoryType(std::uint32_t typeBits,
-                                                vk::MemoryPropertyFlags properties) const {
-    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
+    vk::raii::Context context;
+    ValidationLog validation;
+    vk::raii::Instance instance;
+    vk::raii::DebugUtilsMessengerEXT messenger;
+    vk::raii::PhysicalDevice physical;
+    DeviceDescription description;
+    vk::PhysicalDeviceLimits limits;
+    std::uint32_t queueFamily;
+    vk::raii::Device device;
+    vk::raii::Queue queue;
+    vk::raii::CommandPool commandPool;
+};
+
+Device::Device(const DeviceRequest& request) : parts_(std::make_unique<Parts>(request)) {}
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+
+const DeviceDescription& Device::description() const {
+    return parts_->description;
+}
+const vk::raii::Device& Device::handle() const {
+    return parts_->device;
+}
+const vk::raii::Queue& Device::queue() const {
+    return parts_->queue;
+}
+const vk::raii::CommandPool& Device::commandPool() const {
+    return parts_->commandPool;
+}
+const vk::PhysicalDeviceLimits& Device::limits() const {
+    return parts_->limits;
+}
+const vk::raii::Instance& Device::instance() const {
+    return parts_->instance;
+}
+const vk::raii::PhysicalDevice& Device::physical() const {
+    return parts_->physical;
+}
+std::uint32_t Device::queueFamily() const {
+    return parts_->queueFamily;
+}
+std::vector<std::string> Device::validationMessages() const {
+    return parts_->validation.texts();
+}
+
+std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t typeBits,
+                                        vk::MemoryPropertyFlags properties) {
+    const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
         const bool allowed = ((typeBits >> i) & 1U) != 0;
-        if (allowed && (memory_.memoryTypes[i].propertyFlags & properties) == properties) return i;
+        if (allowed && (memory.memoryTypes[i].propertyFlags & properties) == properties) return i;
     }
     return std::nullopt;
 }

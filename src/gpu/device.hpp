@@ -1,16 +1,24 @@
 // A Vulkan 1.2 device with one compute queue, chosen and ready to work, or a DeviceError that says why not.
-// Everything of Vulkan stays inside src/gpu and src/preview; failures of the driver leave them as
-// DeviceError.
+// Everything of Vulkan stays inside src/gpu, src/render's sources and src/preview, which include
+// gpu/vulkan.hpp; failures of the driver leave them as DeviceError.
 #pragma once
 
-#define VK_NO_PROTOTYPES  // the loader is opened at run time, so that a machine without one gets a message
+#include <cstdint>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
-#include <vulkan/vulkan_raii.hpp>
+
+namespace vk {
+struct PhysicalDeviceLimits;
+namespace raii {
+class CommandPool;
+class Device;
+class Instance;
+class PhysicalDevice;
+class Queue;
+}  // namespace raii
+}  // namespace vk
 
 namespace fringe::gpu {
 
@@ -26,28 +34,6 @@ class DeviceLost : public DeviceError {
 public:
     using DeviceError::DeviceError;
 };
-
-// Runs `work` and turns what Vulkan throws into a DeviceError; `doing` completes "... while <doing>".
-template <class Work>
-auto guarded(const std::string& doing, Work&& work) {
-    try {
-        return work();
-    } catch (const vk::OutOfDeviceMemoryError&) {
-        throw DeviceError(
-            "the device is out of memory while " + doing +
-            "; render a smaller picture, or choose another device with --device (see: fringe devices)");
-    } catch (const vk::OutOfHostMemoryError&) {
-        throw DeviceError("this machine is out of memory while " + doing + "; render a smaller picture");
-    } catch (const vk::DeviceLostError&) {
-        throw DeviceLost(
-            "the device was lost while " + doing +
-            " (driver crash, reset or unplugged); run again, or choose another device with --device");
-    } catch (const vk::SurfaceLostKHRError&) {
-        throw DeviceLost("the desktop took the surface away while " + doing);
-    } catch (const vk::Error& error) {
-        throw DeviceError(std::string("Vulkan failed while ") + doing + ": " + error.what());
-    }
-}
 
 struct DeviceDescription {
     std::string name;
@@ -70,50 +56,27 @@ struct DeviceRequest {
     std::vector<const char*> surfaceExtensions = {};
 };
 
-// What the validation layer says; the driver calls add() from any thread.
-class ValidationLog {
-public:
-    void add(std::string text);
-    std::vector<std::string> texts() const;
-
-private:
-    mutable std::mutex mutex_;
-    std::vector<std::string> texts_;
-};
-
 class Device {
 public:
     explicit Device(const DeviceRequest& request);
+    ~Device();
+    Device(Device&&) noexcept;
 
-    const DeviceDescription& description() const { return description_; }
-    const vk::raii::Device& handle() const { return device_; }
-    const vk::raii::Queue& queue() const { return queue_; }
-    const vk::raii::CommandPool& commandPool() const { return commandPool_; }
-    const vk::PhysicalDeviceLimits& limits() const { return limits_; }
-    const vk::raii::Instance& instance() const { return instance_; }
-    const vk::raii::PhysicalDevice& physical() const { return physical_; }
-    std::uint32_t queueFamily() const { return queueFamily_; }
-
-    // Index of the first memory type allowed by `typeBits` that has all the properties.
-    std::optional<std::uint32_t> memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags properties) const;
+    const DeviceDescription& description() const;
+    const vk::raii::Device& handle() const;
+    const vk::raii::Queue& queue() const;
+    const vk::raii::CommandPool& commandPool() const;
+    const vk::PhysicalDeviceLimits& limits() const;
+    const vk::raii::Instance& instance() const;
+    const vk::raii::PhysicalDevice& physical() const;
+    std::uint32_t queueFamily() const;
 
     // What the validation layer has said so far; always empty without it.
-    std::vector<std::string> validationMessages() const { return validation_->texts(); }
+    std::vector<std::string> validationMessages() const;
 
 private:
-    vk::raii::Context context_;
-    std::unique_ptr<ValidationLog>
-        validation_;  // on the heap: the driver keeps its address when the Device moves
-    vk::raii::Instance instance_;
-    vk::raii::DebugUtilsMessengerEXT messenger_;
-    vk::raii::PhysicalDevice physical_;
-    DeviceDescription description_;
-    vk::PhysicalDeviceLimits limits_;
-    vk::PhysicalDeviceMemoryProperties memory_;
-    std::uint32_t queueFamily_;
-    vk::raii::Device device_;
-    vk::raii::Queue queue_;
-    vk::raii::CommandPool commandPool_;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace fringe::gpu

@@ -182,7 +182,8 @@ Presenter::Image Presenter::createImage(vk::Extent2D size) const {
                             vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
                             Usage::eTransferDst | Usage::eTransferSrc));
     const vk::MemoryRequirements needs = image.getMemoryRequirements();
-    const auto type = device_.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
+    const auto type =
+        gpu::memoryType(device_, needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal);
     vk::raii::DeviceMemory memory(device_.handle(), {needs.size, type.value_or(0)});
     image.bindMemory(*memory, 0);
     return {std::move(image), std::move(memory)};

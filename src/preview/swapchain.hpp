@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gpu/device.hpp"
+#include "gpu/vulkan.hpp"
 
 namespace fringe::preview {
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "gpu/constant_block.hpp"
+#include "gpu/kernel.hpp"
+#include "render/film.hpp"
 #include "render/pieces.hpp"
 #include "render/scene_buffer.hpp"
 #include "render/stopwatch.hpp"
@@ -44,16 +46,31 @@ std::uint64_t unlitPixels(const compile::LitTiles& tiles) {
 
 }  // namespace
 
+struct Renderer::Parts {
+    Parts(const gpu::Device& device, const compile::CompiledScene& compiled,
+          const device::Specialisation& specialisation, Values values, compile::LitTiles tiles,
+          const SceneLayout& layout);
+
+    device::Frame frame;
+    std::uint32_t samples;
+    Clocks clocks;
+    std::uint32_t bandRows;
+    gpu::Buffer scene;
+    SceneTexels texels;
+    Film film;
+    compile::LitTiles litTiles;          // known only if pipelines has two
+    std::vector<gpu::Kernel> pipelines;  // the scene's; the second one for tiles that gratings do not reach
+};
+
 // One band's rendering: where it is, and how far it has come.
 class Renderer::Pass {
 public:
-    Pass(Renderer& renderer, const Control& control, Tiling& tiling, std::uint32_t firstRow,
-         std::uint32_t rows)
-        : renderer_(renderer), control_(control), tiling_(tiling), firstRow_(firstRow), rows_(rows) {}
+    Pass(Parts& parts, const Control& control, Tiling& tiling, std::uint32_t firstRow, std::uint32_t rows)
+        : parts_(parts), control_(control), tiling_(tiling), firstRow_(firstRow), rows_(rows) {}
 
     // All samples of all pixels of the band; false when cancelled.
     bool run() {
-        const std::uint32_t samples = renderer_.samples_;
+        const std::uint32_t samples = parts_.samples;
         for (std::uint32_t done = 0; done < samples;) {
             const std::uint32_t batch = std::min(tiling_.batch(), samples - done);
             if (!sweep(done, batch)) return false;
@@ -65,7 +82,7 @@ public:
 private:
     // Samples firstSample.. of every pixel of the band, tile by tile.
     bool sweep(std::uint32_t firstSample, std::uint32_t batch) {
-        const std::uint32_t filmWidth = renderer_.frame_.filmWidth;
+        const std::uint32_t filmWidth = parts_.frame.filmWidth;
         for (std::uint32_t y = 0; y < rows_;) {
             const std::uint32_t height = std::min(tiling_.tileHeight(), rows_ - y);
             const std::uint32_t tileWidth = tiling_.tileWidth();
@@ -85,8 +102,8 @@ private:
 
     void report() const {
         if (!control_.onProgress) return;
-        const double row = double{1.0} * renderer_.frame_.filmWidth * renderer_.samples_;
-        control_.onProgress((firstRow_ * row + work_) / (wholeGroups(renderer_.frame_.height) * row));
+        const double row = double{1.0} * parts_.frame.filmWidth * parts_.samples;
+        control_.onProgress((firstRow_ * row + work_) / (wholeGroups(parts_.frame.height) * row));
     }
 
     // `from`: pixel and row of the film, and first sample. Returns how long it took, in milliseconds.
@@ -95,9 +112,9 @@ private:
         {
             const Stopwatch watch(spent_ms);
             const Piece tile{from.x, firstRow_ + from.y, width, height, true};
-            for (const Piece& piece : piecesOf(tile, renderer_.litTiles_)) dispatch(piece, from.z, batch);
+            for (const Piece& piece : piecesOf(tile, parts_.litTiles)) dispatch(piece, from.z, batch);
         }
-        renderer_.clocks_.dispatch += spent_ms;
+        parts_.clocks.dispatch += spent_ms;
         return spent_ms;
     }
 
@@ -108,13 +125,12 @@ private:
             firstGroups.push_back(
                 {piece.x / device::GROUP_EDGE, (piece.y - firstRow_) / device::GROUP_EDGE, firstSample + i});
         }
-        const gpu::Kernel& pipeline =
-            piece.isLit ? renderer_.pipelines_.front() : renderer_.pipelines_.back();
+        const gpu::Kernel& pipeline = piece.isLit ? parts_.pipelines.front() : parts_.pipelines.back();
         pipeline.run(firstGroups, {piece.width / device::GROUP_EDGE, piece.height / device::GROUP_EDGE, 1});
-        renderer_.clocks_.dispatches += batch;
+        parts_.clocks.dispatches += batch;
     }
 
-    Renderer& renderer_;
+    Parts& parts_;
     const Control& control_;
     Tiling& tiling_;
     std::uint32_t firstRow_;
@@ -122,26 +138,20 @@ private:
     double work_ = 0.0;  // pixel samples of this band
 };
 
-Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles)
-    : Renderer(device, scene, specialiseFor(device, scene, specialisation), values, std::move(litTiles),
-               layOut(scene, device)) {}
-
-Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-                   const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles,
-                   const SceneLayout& layout)
-    : device_(device),
-      frame_(scene.frame),
-      samples_(scene.samples),
-      bandRows_(rowsOfBand(device, scene.frame)),
-      scene_(device, layout.size, gpu::Access::hostWrites),
-      film_(device, std::uint64_t{bandRows_} * frame_.filmWidth) {
+Renderer::Parts::Parts(const gpu::Device& device, const compile::CompiledScene& compiled,
+                       const device::Specialisation& specialisation, Values values, compile::LitTiles tiles,
+                       const SceneLayout& layout)
+    : frame(compiled.frame),
+      samples(compiled.samples),
+      bandRows(rowsOfBand(device, frame)),
+      scene(device, layout.size, gpu::Access::hostWrites),
+      film(device, std::uint64_t{bandRows} * frame.filmWidth) {
     {
-        const Stopwatch watch(clocks_.upload);
-        upload(layout, scene_);
-        texels_ = uploadTexels(device, scene, specialisation);
+        const Stopwatch watch(clocks.upload);
+        upload(layout, scene);
+        texels = uploadTexels(device, compiled, specialisation);
     }
-    const Stopwatch watch(clocks_.compile);
+    const Stopwatch watch(clocks.compile);
     const auto addPipeline = [&](const Variant& variant, const device::Specialisation& constants) {
         std::array<std::uint32_t, device::kSpecialisationCount> words{};
         std::memcpy(words.data(), &constants, sizeof constants);
@@ -151,33 +161,46 @@ Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scen
             withValues = gpu::withConstantBlock(shader, std::as_bytes(std::span(&layout.block, 1)));
             shader = withValues;
         }
-        pipelines_.emplace_back(device, shader, bindings(layout, scene_, film_.buffer(), texels_), words);
+        pipelines.emplace_back(device, shader, bindings(layout, scene, film.buffer(), texels), words);
         // Drivers may put off compiling until the first dispatch: one workgroup, which render() clears away.
         const gpu::Groups corner{0, 0, 0};
-        pipelines_.back().run({&corner, 1}, {1, 1, 1});
+        pipelines.back().run({&corner, 1}, {1, 1, 1});
     };
-    const std::uint64_t unlit = unlitPixels(litTiles);
-    const bool isDark = litTiles.isKnown() && unlit == allPixels(litTiles);
-    if (!isDark) addPipeline(variantFor(scene), specialisation);
-    if (isDark || pays(unlit * samples_, device))
-        addPipeline(withoutGratings(variantFor(scene)), compile::withoutGratings(specialisation));
-    if (pipelines_.size() == 2) litTiles_ = std::move(litTiles);
+    const std::uint64_t unlit = unlitPixels(tiles);
+    const bool isDark = tiles.isKnown() && unlit == allPixels(tiles);
+    if (!isDark) addPipeline(variantFor(compiled), specialisation);
+    if (isDark || pays(unlit * samples, device))
+        addPipeline(withoutGratings(variantFor(compiled)), compile::withoutGratings(specialisation));
+    if (pipelines.size() == 2) litTiles = std::move(tiles);
+}
+
+Renderer::Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
+                   const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles)
+    : parts_(std::make_unique<Parts>(device, scene, specialiseFor(device, scene, specialisation), values,
+                                     std::move(litTiles), layOut(scene, device))) {}
+
+Renderer::~Renderer() = default;
+
+const Clocks& Renderer::clocks() const {
+    return parts_->clocks;
 }
 
 bool Renderer::render(const Control& control) {
-    Tiling tiling(frame_.filmWidth, bandRows_, samples_, control.tile);
+    Parts& parts = *parts_;
+    const device::Frame& frame = parts.frame;
+    Tiling tiling(frame.filmWidth, parts.bandRows, parts.samples, control.tile);
     std::vector<image::Pixel> pixels;
-    for (std::uint32_t firstRow = 0; firstRow < frame_.height; firstRow += bandRows_) {
-        const std::uint32_t rows = std::min(bandRows_, frame_.height - firstRow);
+    for (std::uint32_t firstRow = 0; firstRow < frame.height; firstRow += parts.bandRows) {
+        const std::uint32_t rows = std::min(parts.bandRows, frame.height - firstRow);
         {
-            const Stopwatch watch(clocks_.dispatch);
-            film_.clear(firstRow, std::uint64_t{wholeGroups(rows)} * frame_.filmWidth);
+            const Stopwatch watch(parts.clocks.dispatch);
+            parts.film.clear(firstRow, std::uint64_t{wholeGroups(rows)} * frame.filmWidth);
         }
-        const bool complete = Pass(*this, control, tiling, firstRow, wholeGroups(rows)).run();
+        const bool complete = Pass(parts, control, tiling, firstRow, wholeGroups(rows)).run();
         {
-            const Stopwatch watch(clocks_.readback);
+            const Stopwatch watch(parts.clocks.readback);
             pixels.clear();
-            film_.read(frame_, rows, pixels);
+            parts.film.read(frame, rows, pixels);
         }
         if (control.onBand) control.onBand({firstRow, rows, pixels});
         if (!complete) return false;

@@ -5,16 +5,16 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "compile/compiled_scene.hpp"
 #include "compile/lit_tiles.hpp"
-#include "gpu/kernel.hpp"
 #include "image/image.hpp"
-#include "render/film.hpp"
-#include "render/scene_buffer.hpp"
+
+namespace fringe::gpu {
+class Device;
+}
 
 namespace fringe::render {
 
@@ -55,28 +55,17 @@ public:
     Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
              const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles = {});
 
+    ~Renderer();
+
     // The same pixels for every tile size. Returns false if it was cancelled.
     bool render(const Control& control);
 
-    const Clocks& clocks() const { return clocks_; }
+    const Clocks& clocks() const;
 
 private:
     class Pass;
-
-    Renderer(const gpu::Device& device, const compile::CompiledScene& scene,
-             const device::Specialisation& specialisation, Values values, compile::LitTiles litTiles,
-             const SceneLayout& layout);
-
-    const gpu::Device& device_;
-    device::Frame frame_;
-    std::uint32_t samples_;
-    Clocks clocks_;
-    std::uint32_t bandRows_;
-    gpu::Buffer scene_;
-    SceneTexels texels_;
-    Film film_;
-    compile::LitTiles litTiles_;          // known only if pipelines_ has two
-    std::vector<gpu::Kernel> pipelines_;  // the scene's; the second one for tiles that gratings do not reach
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace fringe::render

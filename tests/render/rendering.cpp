@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gpu/device.hpp"
 #include "oracle/reference.hpp"
 #include "scene/parse.hpp"
 

@@ -61,11 +61,10 @@ vec3 polygonEdge(vec2 uv, vec2 from, vec2 to) {
 // Root of the mean of (sin(pi x)/(pi x))^2 over fringes and over a window about x: the main lobe as it is and sin^2 by 1/2
 // from where that is as much. Of wide windows side by side, the one that holds the middle gets all but 0.2/window, which
 // lies beyond.
-vec3 slitMeanRoot(vec3 x, vec3 window) {
-    vec3 z = x * x, far = abs(x);
-    vec3 lobe = 0.318309886 * vec3(sinPiOverX(z.x), sinPiOverX(z.y), sinPiOverX(z.z));
-    vec3 root = mix(0.225079079 / max(far, vec3(0.75)), lobe, lessThan(far, vec3(0.75)));
-    return mix(root, inversesqrt(window + 0.2), lessThan(max(far, vec3(0.5)), 0.5 * window));
+float slitMeanRoot(float x, float window) {
+    float far = abs(x);
+    if (max(far, 0.5) < 0.5 * window) return inversesqrt(window + 0.2);
+    return far < 0.75 ? 0.318309886 * sinPiOverX(x * x) : 0.225079079 / far;
 }
 float airyMean(float x) { return 1.0 / (1.0 + 24.3522727 * x * x * x); }        // pi^4/4: DLMF 10.17.3
 // `beat`: what is left of the fringes between the two rims.
@@ -127,24 +126,24 @@ float polygonPattern(vec2 uv, float wavenumber, uint first, uint count, float ar
     return polygonIntensity(sum, wavenumber * dot(uv, uv) * area_um2);
 }
 
-// Its mean over fringes at three wavenumbers, times their cubes: the sum of its corners' powers, of the waves of two edges
-// that meet there. Of an edge's own wave, whose two ends are alike but for their sign, the mean is taken over what the
-// sample sees: `perPixel` as in OpeningView, and `step_` from one wavenumber of the list to the next. The first `corners` of
-// `count` stand for all.
-vec3 polygonMeans(vec2 uv, mat2 perPixel, float step_, vec3 wavenumbers, uint first, uint count, uint corners, float area_um2) {
-    vec3 sum = vec3(0.0), before = vec3(0.0), start = vec3(0.0);
+// Its mean over fringes: the sum of its corners' powers, of the waves of two edges that meet there. Of an edge's own wave,
+// whose two ends are alike but for their sign, the mean is taken over what the sample sees: `perPixel` as in OpeningView,
+// and `step_` from one wavenumber of the list to the next. The first `corners` of `count` stand for all.
+float polygonMean(vec2 uv, mat2 perPixel, float step_, float wavenumber, uint first, uint count, uint corners, float area_um2) {
+    float sum = 0.0, before = 0.0, start = 0.0;
     for (uint i = 0u; i < corners; ++i) {
         vec2 from = apertureVertex(first, i), to = apertureVertex(first, i + 1u < count ? i + 1u : 0u);
-        vec3 edge = polygonEdge(uv, from, to), along = edge.y * wavenumbers;
-        vec3 wave = edge.z * slitMeanRoot(along, length((to - from) * perPixel) * wavenumbers + abs(edge.y) * step_);
-        vec3 end = wave * clamp(2.0 * along, -1.0, 1.0);   // in the main lobe the ends are not told apart
+        vec3 edge = polygonEdge(uv, from, to);
+        float along = edge.y * wavenumber;
+        float wave = edge.z * slitMeanRoot(along, length((to - from) * perPixel) * wavenumber + abs(edge.y) * step_);
+        float end = wave * clamp(2.0 * along, -1.0, 1.0);  // in the main lobe the ends are not told apart
         if (i == 0u) start = end;
         sum += wave * wave - before * end;
         before = end;
     }
     sum -= before * start;
-    float perWave = 0.159154943 / max(dot(uv, uv) * area_um2, 1e-18);
-    return wavenumbers * min(perWave * perWave * float(count) / float(corners) * sum, wavenumbers * wavenumbers);
+    float perWave = 0.159154943 / max(wavenumber * dot(uv, uv) * area_um2, 1e-18);
+    return min(perWave * perWave * float(count) / float(corners) * sum, 1.0);
 }
 
 // How much longer the way from one cell of a lattice is than from the next, `step_um` away: (high, low), in micrometres,

@@ -74,7 +74,6 @@ vec3 coreMeans(Fading fading, vec3 wavenumbers) {
 
 // Means change slowly with the wavenumber, so three are enough. Not so the beats of a ring, nor where the points of a source
 // see the pattern in places of their own.
-const vec3 MEAN_WAVENUMBERS = vec3(1.28, 1.95, 2.63);
 bool knowsMeans(uint opening) { return HAS_WIDE_SOURCES == 0u && opening != RING_OPENING; }
 
 // The parabola through three values, over the cube of the wavenumber: 1 % off for what falls with its fourth power.
@@ -86,12 +85,14 @@ float meanAt(vec3 values, float wavenumber) {
 
 // Of one side of a rectangle, or of a mask's pixel, `x` turns between its ends at a wavenumber of 1.
 vec3 sideMeans(float x, float perPixel, float perStep, vec3 wavenumbers) {
-    vec3 root = slitMeanRoot(x * wavenumbers, perPixel * wavenumbers + perStep);
+    vec3 root = vec3(slitMeanRoot(x * wavenumbers.x, perPixel * wavenumbers.x + perStep),
+                     slitMeanRoot(x * wavenumbers.y, perPixel * wavenumbers.y + perStep),
+                     slitMeanRoot(x * wavenumbers.z, perPixel * wavenumbers.z + perStep));
     return wavenumbers * wavenumbers * wavenumbers * root * root;
 }
-vec3 polygonMeansOf(OpeningGrating g, uint opening, OpeningView v, vec2 uv, vec3 wavenumbers) {
+float polygonMeanOf(OpeningGrating g, uint opening, OpeningView v, vec2 uv, float wavenumber) {
     uint count = opening == SYMMETRIC_OPENING ? 2u * g.edgeCount : g.edgeCount;
-    return polygonMeans(uv, v.perPixel, g.wavenumberStep, wavenumbers, g.table, count, g.edgeCount, g.size_um.x);
+    return polygonMean(uv, v.perPixel, g.wavenumberStep, wavenumber, g.table, count, g.edgeCount, g.size_um.x);
 }
 
 // `x`: turns between the sides.
@@ -100,7 +101,8 @@ vec2 sidePatterns(Fading fading, uint opening, vec2 x, float wavenumber) {
     if (knowsMeans(opening)) {
         mean = vec2(meanAt(fading.first, wavenumber), meanAt(fading.second, wavenumber));
     } else {
-        vec2 root = slitMeanRoot(vec3(x, 0.0), vec3(fading.perPixel_um * wavenumber + fading.perStep, 0.0)).xy;
+        vec2 window = fading.perPixel_um * wavenumber + fading.perStep;
+        vec2 root = vec2(slitMeanRoot(x.x, window.x), slitMeanRoot(x.y, window.y));
         mean = root * root;
     }
     return mix(mean, vec2(slitFactor(x.x), slitFactor(x.y)), fading.contrast);
@@ -119,8 +121,11 @@ void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fadin
     } else {
         fading.first = vec3(0.0);
         // A loop of no turns is left out where an `if` would not be (path.glsl).
-        for (uint i = 0u; i < (fading.contrast.x < 1.0 ? 1u : 0u); ++i)
-            fading.first = polygonMeansOf(g, opening, v, v.uv, wavenumbers);
+        for (uint i = 0u; i < (fading.contrast.x < 1.0 ? 3u : 0u); ++i) {
+            float wavenumber = i == 0u ? wavenumbers.x : i == 1u ? wavenumbers.y : wavenumbers.z;
+            float cube = wavenumber * wavenumber * wavenumber;
+            fading.first = vec3(fading.first.yz, cube * polygonMeanOf(g, opening, v, v.uv, wavenumber));
+        }
     }
     if (fading.kept < 1.0) {
         fading.first = cubes * coreMeans(fading, wavenumbers);

@@ -315,6 +315,9 @@ struct OpeningSample {
 };
 const uint FEW_SAMPLES = 32u;
 
+// Per um; where means over fringes are known (shaders/fading.glsl).
+const vec3 MEAN_WAVENUMBERS = vec3(1.28f, 1.95f, 2.63f);
+
 // Bands that the visible range is cut into where surfaces on a path have colours of their own, and at the edges of a beam.
 // Their weights are hats: 1 in the band's middle, 0 in its neighbours'; the first and last reach to the ends of the range.
 // Where the reflectances of gold and copper climb the middles are 5 nm apart, below 10 nm and above 12.5 nm.
@@ -362,5 +365,6 @@ struct SceneBlock {
     SlitGrating slitGratings[FEW];
     OpeningGrating openingGratings[FEW];
     OpeningSample openingSamples[FEW_SAMPLES];
+    vec3 openingMeans[3];   // of a mean's value at MEAN_WAVENUMBERS, times their cubes, to the first EVEN_SAMPLES of these
     OpticalDisc opticalDiscs[FEW];
 };

@@ -7,6 +7,7 @@ float maskEntry(uint at) { return tables[at]; }
 const float MIDDLE_WAVENUMBER = 1.0 / 0.55;   // turns per micrometre
 
 #include "apertures.glsl"
+#include "even_waves.glsl"
 #include "masks.glsl"
 
 // A point as an opening sees it.
@@ -154,8 +155,7 @@ float patternAround(OpeningGrating g, uint opening, Outline outline, Fading fadi
         return mix(ringMean(x, g.size_um.y, fading.beat), ringPattern(x, g.size_um.y), contrast.x);
     }
     if (opening == MASK_OPENING) return fadedMask(g, fading, f_per_um, wavenumber);
-    float mean = knowsMeans(opening) ? meanAt(fading.first, wavenumber)
-                                     : polygonMeansOf(g, opening, v, uv, vec3(wavenumber)).x / (wavenumber * wavenumber * wavenumber);
+    float mean = knowsMeans(opening) ? meanAt(fading.first, wavenumber) : polygonMeanOf(g, opening, v, uv, wavenumber);
     return mix(mean, polygonOf(g, opening, outline, uv, wavenumber), contrast.x);
 }
 
@@ -163,6 +163,31 @@ float patternAround(OpeningGrating g, uint opening, Outline outline, Fading fadi
 float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
     float pattern = patternAround(g, opening, outline, fading, v, uv, wavenumber);
     return knowsMeans(opening) ? pattern : mix(coreMeans(fading, vec3(wavenumber)).x, pattern, fading.kept);
+}
+
+// Sum over the EVEN_SAMPLES at hand, of a polygon with a centre of symmetry: symmetricPolygonIntensity() and what the means
+// come to.
+vec3 evenPolygonSum(OpeningGrating g, Outline outline, Fading fading, vec2 uv) {
+    // At the peak from so near to it that it makes no difference.
+    if (dot(uv, uv) < 1e-24) uv = vec2(1e-12, 0.0);
+    float weight = 0.101321184 * sqrt(fading.contrast.x) / (dot(uv, uv) * g.size_um.x);   // 1/pi^2
+    EvenEdge edges[FEW_EDGES];
+    [[unroll]] for (uint i = 0u; i < FEW_EDGES; ++i) {
+        if (i >= SYMMETRIC_EDGES) continue;
+        vec3 edge = polygonEdge(uv, outline.vertices[i], outline.vertices[i + 1u]);
+        edges[i] = evenEdge(edge, weight, scene.openingSamples[0].wavenumber, g.wavenumberStep);
+    }
+    vec3 means = (1.0 - fading.contrast.x) * fading.first, sum = vec3(0.0);
+    [[unroll]] for (uint j = 0u; j < 3u; ++j) sum += means[j] * scene.openingMeans[j];
+    [[unroll]] for (uint j = 0u; j < EVEN_SAMPLES; ++j) {
+        float amplitude = 0.0;
+        [[unroll]] for (uint i = 0u; i < FEW_EDGES; ++i) {
+            if (i < SYMMETRIC_EDGES) amplitude += nextPairOfEdges(edges[i]);
+        }
+        float square = scene.openingSamples[j].wavenumber * scene.openingSamples[j].wavenumber;
+        sum += amplitude * amplitude * (scene.openingSamples[j].color / (square * square));
+    }
+    return sum;
 }
 
 // Sum over the first `count` entries of the list; `count` is 0 where the opening is another one.
@@ -178,7 +203,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     if (HAS_NEAR_OPENINGS != 0u) near = nearView(g, v);
     vec3 sum = vec3(0.0);
     if (SAMPLES_AT_HAND != 0u) {
-        [[unroll]] for (uint i = 0u; i < SAMPLES_AT_HAND; ++i) {
+        if (EVEN_SAMPLES != 0u) sum = throughput.band[0] * evenPolygonSum(g, outline, fading, v.uv);
+        [[unroll]] for (uint i = EVEN_SAMPLES; i < SAMPLES_AT_HAND; ++i) {
             OpeningSample sample_ = scene.openingSamples[i];
             float pattern = openingPattern(g, opening, outline, fading, v, v.uv, sample_.wavenumber);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);

@@ -73,4 +73,5 @@
     X(66, TEXELS_IN_IMAGES)         \
     X(67, HAS_BAND_RESPONSES)       \
     X(68, HAS_NEAR_OPENINGS)        \
-    X(69, HAS_SHADOWS)
+    X(69, HAS_SHADOWS)              \
+    X(70, EVEN_SAMPLES)

@@ -89,6 +89,25 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
     }
 }
 
+// Lines come after the even steps of a continuous spectrum.
+void findEvenSamples(double step, CompiledScene& out) {
+    const dvec3 nodes(device::MEAN_WAVENUMBERS);
+    const double first = out.openingSamples.front().wavenumber;
+    std::array<dvec3, 3> means{};
+    for (const device::OpeningSample& sample : out.openingSamples) {
+        const double wavenumber = sample.wavenumber;
+        if (!(std::abs(wavenumber - (first + out.evenOpeningSamples * step)) < 1e-5 * wavenumber)) break;
+        ++out.evenOpeningSamples;
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            const double parabola = (wavenumber - nodes[j]) * (wavenumber - nodes[k]) /
+                                    ((nodes[i] - nodes[j]) * (nodes[i] - nodes[k]));
+            means[static_cast<std::size_t>(i)] += parabola / std::pow(wavenumber, 3) * dvec3(sample.color);
+        }
+    }
+    std::copy(means.begin(), means.end(), out.openingMeans.begin());
+}
+
 // A single opening's spectrum where every surface sees the same one: then the device need not look it up.
 void takeSamplesAtHand(CompiledScene& out) {
     if (out.openingGratings.size() != 1 || out.frame.reflectanceCount != 1) return;
@@ -98,6 +117,8 @@ void takeSamplesAtHand(CompiledScene& out) {
         const float* color = &out.tables[grating.samples + 3 * grating.sampleCount + 3 * i];
         out.openingSamples.push_back({out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});
     }
+    if (grating.opening == device::SYMMETRIC_OPENING && grating.isLattice == 0 && !out.inBands)
+        findEvenSamples(grating.wavenumberStep, out);
 }
 
 void addCastingDiscs(const scene::Scene& scene, CompiledScene& out) {

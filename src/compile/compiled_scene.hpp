@@ -33,7 +33,9 @@ struct CompiledScene {
     std::vector<device::SlitGrating> slitGratings;
     std::vector<device::OpeningGrating> openingGratings;
     std::vector<device::OpeningSample> openingSamples;  // if it fits in the uniform block
-    bool ripples = false;     // beams of slits may show the Fresnel ripple of their edges
+    std::uint32_t evenOpeningSamples = 0;  // of these, the first so many that shaders/even_waves.glsl adds up
+    std::array<device::vec3, 3> openingMeans{};  // SceneBlock.openingMeans
+    bool ripples = false;                        // beams of slits may show the Fresnel ripple of their edges
     bool inBands = false;     // paths carry spectral bands: there are metals, or the film holds a spectrum
     bool isSpectrum = false;  // a band in each row: Measure::spectrum
     std::vector<device::OpticalDisc> opticalDiscs;

@@ -30,6 +30,7 @@ device::SceneBlock sceneBlock(const CompiledScene& scene) {
     copyFew(scene.slitGratings, block.slitGratings);
     copyFew(scene.openingGratings, block.openingGratings);
     std::copy(scene.openingSamples.begin(), scene.openingSamples.end(), block.openingSamples);
+    std::copy(scene.openingMeans.begin(), scene.openingMeans.end(), block.openingMeans);
     copyFew(scene.opticalDiscs, block.opticalDiscs);
     return block;
 }

@@ -15,6 +15,7 @@ float maskEntry(uint at) { return parameters[at]; }
 
 #include "phase.glsl"
 #include "apertures.glsl"
+#include "even_waves.glsl"
 #include "masks.glsl"
 
 vec2 pair(uint at) { return vec2(parameters[at], parameters[at + 1u]); }
@@ -26,6 +27,24 @@ float symmetricPattern(vec2 uv) {
     return symmetricPolygonIntensity(sum, parameters[0] * dot(uv, uv) * parameters[1]);
 }
 
+// The same as the last of sixteen wavenumbers, as far apart as a list has them or as fringes are not faded.
+float evenSymmetricPattern(vec2 uv) {
+    float square = dot(uv, uv), radius = 0.0;
+    if (square < 1e-24) return 1.0;
+    uint edges = uint(parameters.length()) / 2u - 2u;
+    for (uint i = 0u; i < edges; ++i) radius = max(radius, length(apertureVertex(2u, i)));
+    float step_ = min(0.084, 0.25 / (radius * sqrt(square))), first = parameters[0] - 15.0 * step_;
+    float amplitude = 0.0;
+    for (uint i = 0u; i < edges; ++i) {
+        vec3 edge = polygonEdge(uv, apertureVertex(2u, i), apertureVertex(2u, i + 1u));
+        EvenEdge even = evenEdge(edge, 0.101321184 / (square * parameters[1]), first, step_);
+        for (uint j = 0u; j < 15u; ++j) nextPairOfEdges(even);
+        amplitude += nextPairOfEdges(even);
+    }
+    amplitude /= parameters[0] * parameters[0];
+    return amplitude * amplitude;
+}
+
 float pattern(vec2 uv) {
     if (PATTERN == 0u) return productError(uv.x, uv.y, uv.x * uv.y);
     if (PATTERN == 1u) return slitsPattern(uv.x, parameters[0], pair(1u), parameters[3]);
@@ -34,6 +53,7 @@ float pattern(vec2 uv) {
     if (PATTERN == 4u) return ringPattern(length(uv) * parameters[0], parameters[1]);
     if (PATTERN == 5u) return polygonPattern(uv, parameters[0], 2u, uint(parameters.length() / 2 - 1), parameters[1]);
     if (PATTERN == 8u) return symmetricPattern(uv);
+    if (PATTERN == 9u) return evenSymmetricPattern(uv);
     if (PATTERN == 7u) {
         vec2 frequency = uv * parameters[0] * parameters[3];
         return maskPattern(frequency, 4u, pair(1u), SHARP_MASK) * slitFactor(frequency.x) * slitFactor(frequency.y);

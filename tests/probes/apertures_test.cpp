@@ -106,6 +106,7 @@ void comparePolygon(const std::vector<dvec2>& vertices, double wavelength_um, do
     if (!isSymmetric) return;
     parameters.resize(2 + 2 * (vertices.size() / 2 + 1));
     expectNear(evaluate(Probe::symmetricPolygon, parameters, directions), expected, directions, bound);
+    expectNear(evaluate(Probe::evenPolygon, parameters, directions), expected, directions, bound);
 }
 
 std::vector<dvec2> scaled(PolygonalAperture polygon, double factor) {

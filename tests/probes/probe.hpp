@@ -18,6 +18,7 @@ enum class Probe : std::uint32_t {
     lattice,           // 1/wavelength, first (x, y high, x, y low), second, counts
     mask,              // 1/wavelength, table size, pixel, table
     symmetricPolygon,  // 1/wavelength, area, half of the vertices and the next
+    evenPolygon,       // the same
 };
 
 // On the device that FRINGE_DEVICE names, or the best, under the validation layer: any message fails the

@@ -20,7 +20,11 @@ Path cameraRay(vec2 place, uint pixelSeed, uint sampleIndex) {
     } else {
         direction = normalize(camera.forward + onPlane);
     }
-    Throughput full;
-    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) full.band[k] = IS_SPECTRUM == 0u || k == uint(place.y) ? 1.0 : 0.0;
-    return Path(origin, direction, full, 0u, 0.0);
+    throughput.band[0] = 1.0;
+    throughput.bands = 0u;
+    if (IS_SPECTRUM != 0u) {
+        [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) throughput.band[k] = k == uint(place.y) ? 1.0 : 0.0;
+        throughput.bands = BANDS;
+    }
+    return Path(origin, direction, 0u, 0.0);
 }

@@ -162,7 +162,7 @@ const float GROOVE_ORDERS = 24.0;
 
 // Radiance that all orders but 0 send to the eye, from a source of radiance 1 on the chord, off a matt surface if
 // `reflectance` is not 0.
-vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum, uint reflectance, Throughput throughput) {
+vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum, uint reflectance) {
     uint entry = scene.frame.discSpectra + 3u * (spectrum * scene.frame.reflectanceCount + reflectance);
     uint table = scene.frame.discSpectra + uint(tables[entry]);
     uint lines = scene.frame.discSpectra + uint(tables[entry + 1u]);
@@ -173,7 +173,7 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
         float cosIn = sqrt(max(1.0 - chord.center * chord.center - v.out_.y * v.out_.y, 0.0));
         float cosines = cosineInside(disc, 1.0 - cosIn * cosIn) + cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
         return 2.0 * chord.half_ * grooveDensity(disc, v.out_.x + chord.center, cosines) *
-               mirrorShare(disc, MIDDLE_WAVE * 1e6, cosIn, v.cosOut) * seen(throughput, spectrum, reflectance);
+               mirrorShare(disc, MIDDLE_WAVE * 1e6, cosIn, v.cosOut) * seen(spectrum, reflectance);
     }
     for (float side = -1.0; side <= 1.0; side += 2.0) {
         float center = side * (v.out_.x + chord.center);   // order times wavelength / pitch, in the chord's middle
@@ -193,7 +193,7 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
                 vec3 below = spectrumBelow(table, middle - 0.5 * width);
                 for (float i = 0.5; i < pieces; i += 1.0) {
                     float wavelength_um = middle + width * (i / pieces - 0.5);
-                    float share = orderShare(disc, v, side * order, wavelength_um) * throughputAt(throughput, wavelength_um);
+                    float share = orderShare(disc, v, side * order, wavelength_um) * throughputAt(wavelength_um);
                     vec3 next = spectrumBelow(table, wavelength_um + 0.5 * width / pieces);
                     sum += share * (isNarrow ? spectrumAround(table, middle, width) : next - below);
                     below = next;
@@ -205,7 +205,7 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
                 float wavelength_um = tables[lines + 4u * i];
                 float last = min(float(disc.orderCount), floor(most / wavelength_um));
                 for (float order = max(1.0, ceil(least / wavelength_um)); order <= last; order += 1.0) {
-                    float share = orderShare(disc, v, side * order, wavelength_um) * throughputAt(throughput, wavelength_um);
+                    float share = orderShare(disc, v, side * order, wavelength_um) * throughputAt(wavelength_um);
                     sum += share * tableColor(lines + 4u * i + 1u);
                 }
             }
@@ -215,11 +215,11 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
 }
 
 // Radiance of what the pits scatter, from one direction that brings an irradiance of 1.
-vec3 scatteredLight(OpticalDisc disc, TrackView v, vec3 normal, vec3 toLight, uint spectrum, Throughput throughput) {
+vec3 scatteredLight(OpticalDisc disc, TrackView v, vec3 normal, vec3 toLight, uint spectrum) {
     vec2 change = v.out_ + cosines(v, toLight);
     float cosIn = dot(toLight, normal);
     float inside = cosineInside(disc, 1.0 - cosIn * cosIn) + cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
-    uint first = spectrum * scene.frame.reflectanceCount * BANDS * 3u;
+    uint colors = colorsOf(spectrum, 0u);
     vec3 sum = vec3(0.0);
     [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
         float wavelength_um = bandMiddle_um(k);
@@ -227,7 +227,7 @@ vec3 scatteredLight(OpticalDisc disc, TrackView v, vec3 normal, vec3 toLight, ui
         float along = 6.28318531 * length_ * change.y;
         float density = width * slitFactor(width * change.x) * 2.0 * length_ / (1.0 + along * along);
         float share = disc.scattering * phaseContrast(disc, wavelength_um, inside) * mirrorShare(disc, wavelength_um, cosIn, v.cosOut);
-        sum += (throughput.band[k] * share * density) * tableColor(first + 3u * k);
+        sum += (inBand(k) * share * density) * bandColor(colors, k);
     }
     return sum;
 }
@@ -240,7 +240,7 @@ uint partsOf(Light light) { return HAS_ENVIRONMENT != 0u && decided(light.kind) 
 // Radiance towards the eye from one part of a light that nothing hides, but for its mirror image. `incident` is a sample of
 // the light; for parts of the sky its direction becomes one of them, by `random`.
 vec3 discValue(OpticalDisc disc, TrackView v, vec3 normal, Light light, vec3 position, uint part, float random,
-               inout Incident incident, Throughput throughput) {
+               inout Incident incident) {
     vec3 offset = light.position - position;
     Chord chord = chordOf(v, normal, light, offset, incident.direction, incident.irradiance, 1.0);
     bool isSky = partsOf(light) > 1u;
@@ -257,13 +257,13 @@ vec3 discValue(OpticalDisc disc, TrackView v, vec3 normal, Light light, vec3 pos
         }
     }
     vec3 sum = vec3(0.0);
-    if (chord.radiance > 0.0) sum = chord.radiance * diffractedOrders(disc, v, chord, light.spectrum, 0u, throughput);
+    if (chord.radiance > 0.0) sum = chord.radiance * diffractedOrders(disc, v, chord, light.spectrum, 0u);
     if (HAS_DISC_LIGHTS != 0u && decided(light.kind) == DISC_LIGHT && light.innerRatioSquared > 0.0) {
         Chord hole = chordOf(v, normal, light, offset, incident.direction, incident.irradiance, sqrt(light.innerRatioSquared));
-        if (hole.radiance > 0.0) sum -= hole.radiance * diffractedOrders(disc, v, hole, light.spectrum, 0u, throughput);
+        if (hole.radiance > 0.0) sum -= hole.radiance * diffractedOrders(disc, v, hole, light.spectrum, 0u);
     }
     if (HAS_SCATTERING != 0u && isScattered && disc.scattering > 0.0) {
-        sum += incident.irradiance * scatteredLight(disc, v, normal, incident.direction, light.spectrum, throughput);
+        sum += incident.irradiance * scatteredLight(disc, v, normal, incident.direction, light.spectrum);
     }
     return sum;
 }

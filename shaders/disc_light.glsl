@@ -46,7 +46,7 @@ vec3 radialAt(LampPoint lamp, vec3 w, vec3 normal, float r, float side) {
 
 // Irradiance of a surface at `w`, relative to the disc's centre, with normal `facing`, times reflectance row `reflectance`: XYZ.
 vec3 fromCastingDisc(CastingDisc caster, OpticalDisc disc, LampPoint lamp, vec3 w, vec3 facing, uint spectrum,
-                     uint reflectance, float jitter, Throughput throughput) {
+                     uint reflectance, float jitter) {
     vec3 n = caster.normal;
     vec3 sum = vec3(0.0);
     float scale = max(max(abs(caster.center.x), abs(caster.center.y)), max(abs(caster.center.z), length(w)));
@@ -80,7 +80,7 @@ vec3 fromCastingDisc(CastingDisc caster, OpticalDisc disc, LampPoint lamp, vec3 
         TrackView view;
         view.out_ = out_;
         view.cosOut = cosOut;
-        vec3 orders = diffractedOrders(disc, view, Chord(in_.x, half_, 1.0), spectrum, reflectance, throughput);
+        vec3 orders = diffractedOrders(disc, view, Chord(in_.x, half_, 1.0), spectrum, reflectance);
         if (orders.y <= 0.0) continue;
         float irradiance = lamp.intensity * cosIn * (lamp.isParallel ? 1.0 : lampNear * lampNear);
         vec3 value = orders * (irradiance * cosOut * cosW * wNear * wNear * r * dr / (abs(turning) * 2.0 * half_));
@@ -100,12 +100,12 @@ vec3 fromCastingDisc(CastingDisc caster, OpticalDisc disc, LampPoint lamp, vec3 
         vec3 toQ = normalize(toImage);
         vec3 radial = normalize(q);
         float cosine = abs(dot(toQ, n)), cosW = dot(toQ, facing);
-        uint first = (spectrum * scene.frame.reflectanceCount + reflectance) * BANDS * 3u;
+        uint colors = colorsOf(spectrum, reflectance);
         vec3 color = vec3(0.0);
         [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
             vec2 out_ = vec2(dot(toQ, radial), dot(toQ, cross(n, radial)));
-            color += throughput.band[k] * undeviatedShare(disc, out_, cosine, bandMiddle_um(k), isOnTrack(disc, squared)) *
-                     tableColor(first + 3u * k);
+            color += inBand(k) * undeviatedShare(disc, out_, cosine, bandMiddle_um(k), isOnTrack(disc, squared)) *
+                     bandColor(colors, k);
         }
         vec3 origin = caster.center + q + lift;
         if (cosW > 0.0 && !occluded(origin, -toQ, 0.9999 * distance(w, q)) &&

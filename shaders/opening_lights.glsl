@@ -191,7 +191,7 @@ vec3 evenPolygonSum(OpeningGrating g, Outline outline, Fading fading, vec2 uv) {
 }
 
 // Sum over the first `count` entries of the list; `count` is 0 where the opening is another one.
-vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance, Throughput throughput) {
+vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance) {
     Outline outline;
     if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
     Fading fading = fadingOf(g, opening, v);
@@ -208,7 +208,7 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
             OpeningSample sample_ = scene.openingSamples[i];
             float pattern = openingPattern(g, opening, outline, fading, v, v.uv, sample_.wavenumber);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
-            sum += pattern * throughputAt(throughput, 1.0 / sample_.wavenumber) * sample_.color;
+            sum += pattern * throughputAt(1.0 / sample_.wavenumber) * sample_.color;
         }
         return sum;
     }
@@ -225,20 +225,19 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         }
         if (!isNear) pattern = openingPattern(g, opening, outline, fading, v, v.uv - shift, wavenumber);
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
-        sum += pattern * throughputAt(throughput, 1.0 / wavenumber) * tableColor(colors + 3u * i);
+        sum += pattern * throughputAt(1.0 / wavenumber) * tableColor(colors + 3u * i);
     }
     return sum;
 }
 
 // As slitGratingValue().
-vec3 openingGratingValue(OpeningGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance,
-                         Throughput throughput) {
+vec3 openingGratingValue(OpeningGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance) {
     OpeningView v = viewFromOpening(g, offset, normal, view, pixel);
     uint kind = decided(g.opening);
     vec3 sum = vec3(0.0);
     // A loop of no turns is left out where an `if` would not be (path.glsl).
 #define ADD_OPENING(KIND, HAS)                                                                                          \
-    if (HAS != 0u) sum += sumOverWavenumbers(g, KIND, kind == KIND ? g.sampleCount : 0u, v, reflectance, throughput);
+    if (HAS != 0u) sum += sumOverWavenumbers(g, KIND, kind == KIND ? g.sampleCount : 0u, v, reflectance);
     ADD_OPENING(RECTANGULAR_OPENING, HAS_RECTANGULAR_OPENINGS)
     ADD_OPENING(CIRCULAR_OPENING, HAS_CIRCULAR_OPENINGS)
     ADD_OPENING(RING_OPENING, HAS_RING_OPENINGS)

@@ -68,7 +68,7 @@ float curvatureAcross(SlitGrating g, GratingView v) {
 }
 
 // What a continuous spectrum makes, per unit of u and of the power: a list of waves (src/compile/wave_tables.hpp).
-vec3 pairColor(SlitGrating g, GratingView v, uint reflectance, Throughput throughput, float u, float blur) {
+vec3 pairColor(SlitGrating g, GratingView v, uint reflectance, float u, float blur) {
     float curvature = curvatureAcross(g, v);
     float step_um = (LAST_WAVE_um - FIRST_WAVE_um) / float(g.entries - 1u);
     // Ways so unlike that white light has no fringes left: half a turn from one of the shortest waves to the next. The same for
@@ -81,7 +81,7 @@ vec3 pairColor(SlitGrating g, GratingView v, uint reflectance, Throughput throug
         float wavelength_um = g.period_um / wave.x;
         float step_ = step_um / wavelength_um;
         float value = pairPattern(g, u, curvature, wave.x, wave.z, step_, furthest, blur);
-        sum += value * footprintAlong(g, v, 1e-6 * wavelength_um, -step_) * throughputAt(throughput, wavelength_um) * color;
+        sum += value * footprintAlong(g, v, 1e-6 * wavelength_um, -step_) * throughputAt(wavelength_um) * color;
     }
     return sum;
 }

@@ -8,7 +8,6 @@ const float LEAST_THROUGHPUT = 1.0 / 4096.0;
 struct Path {
     vec3 origin;
     vec3 direction;
-    Throughput throughput;
     uint depth;         // mirror and glass surfaces passed so far
     float travelled;
 };
@@ -48,11 +47,10 @@ Arrival fromLight(uint i, uint part, Surface surface, vec3 normal, Material mate
     vec3 value = vec3(0.0);
     if (OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC) {
         if (incident.irradiance > 0.0) {
-            value = discValue(opticalDiscAt(material.row), view, normal, lightAt(i), surface.position, part, random.x, incident,
-                              path.throughput);
+            value = discValue(opticalDiscAt(material.row), view, normal, lightAt(i), surface.position, part, random.x, incident);
         }
     } else if (incident.irradiance > 0.0) {
-        value = material.value * 0.318309886 * incident.irradiance * seen(path.throughput, lightAt(i).spectrum, material.row);
+        value = material.value * 0.318309886 * incident.irradiance * seen(lightAt(i).spectrum, material.row);
     }
     return Arrival(value, incident.direction, incident.distance, false);
 }
@@ -124,13 +122,13 @@ Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Mater
     if (OPENING_GRATING_COUNT > 0u && i >= gratingCount() + slitGratingCount()) {
         OpeningGrating grating = openingGratingAt(i - gratingCount() - slitGratingCount());
         vec3 offset = surface.position - grating.position;
-        arrival.value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        arrival.value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row);
         from = grating.position;
         if (HAS_NEAR_OPENINGS != 0u && decided(grating.isNear) != 0u) from += nearFoot(grating, offset);
     } else if (SLIT_GRATING_COUNT > 0u && i >= gratingCount()) {
         SlitGrating grating = slitGratingAt(i - gratingCount());
         vec3 offset = surface.position - grating.position;
-        arrival.value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row, path.throughput);
+        arrival.value = brdf * slitGratingValue(grating, offset, normal, path.direction, pixel, material.row);
         if (HAS_NAIVE_EVALUATOR != 0u) {
             arrival.nonFinite = metNonFinite;
             metNonFinite = false;
@@ -139,7 +137,7 @@ Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Mater
     } else {
         ThesisGrating grating = gratingAt(i);
         vec3 offset = surface.position - grating.position;
-        arrival.value = xyzFromLinearSrgb(thesisGratingValue(grating, offset, arrival.nonFinite) * throughputOfPrimaries(path.throughput));
+        arrival.value = xyzFromLinearSrgb(thesisGratingValue(grating, offset, arrival.nonFinite) * throughputOfPrimaries());
         from = grating.position;
     }
     vec3 way = from - surface.position;
@@ -165,7 +163,7 @@ void addCastLight(Surface surface, vec3 normal, Material material, Path path, in
         LampPoint lamp = LampPoint(isParallel ? incident.direction : incident.direction * incident.distance, isParallel,
                                    isParallel ? normalIrradiance : normalIrradiance * incident.distance * incident.distance);
         vec3 irradiance = fromCastingDisc(caster, opticalDiscAt(caster.disc), lamp, w, normal, light.spectrum, material.row,
-                                          random.x, path.throughput);
+                                          random.x);
         sample_.radiance += material.value * 0.318309886 * irradiance;
     }
 }
@@ -199,8 +197,15 @@ void addDirectLight(Surface surface, vec3 normal, float travelled, Material mate
     }
 }
 
+// A branch not followed at once, of a path with this throughput.
+struct WaitingPath {
+    Path path;
+    Throughput throughput;
+    float share;
+};
+
 void tracePath(Path path, inout Sample sample_) {
-    Path waiting[MAX_DEPTH + 1u];
+    WaitingPath waiting[MAX_DEPTH + 1u];
     uint waitingCount = 0u;
 
     for (;;) {
@@ -208,7 +213,7 @@ void tracePath(Path path, inout Sample sample_) {
         Hit hit = nearestHit(path.origin, path.direction);
         if (hit.kind == NOTHING) {
             if (HAS_ENVIRONMENT != 0u) {
-                sample_.radiance += scene.frame.environment * seen(path.throughput, scene.frame.environmentSpectrum, 0u);
+                sample_.radiance += scene.frame.environment * seen(scene.frame.environmentSpectrum, 0u);
             }
         } else {
             Surface surface = surfaceAt(hit, path.origin, path.direction);
@@ -236,7 +241,7 @@ void tracePath(Path path, inout Sample sample_) {
                 // the path ends
             } else if (HAS_EMITTERS != 0u && kind == EMISSIVE) {
                 if (facing < 0.0 || decided(material.twoSided) != 0u) {
-                    sample_.radiance += material.value * seen(path.throughput, material.row, 0u);
+                    sample_.radiance += material.value * seen(material.row, 0u);
                 }
             } else if (HAS_DIELECTRICS != 0u && kind == DIELECTRIC) {
                 alive = path.depth < MAX_DEPTH;
@@ -247,17 +252,17 @@ void tracePath(Path path, inout Sample sample_) {
                     vec3 reflected = path.direction + 2.0 * abs(facing) * normal;
                     vec3 refracted = path.direction / eta + (abs(facing) / eta - cosTransmitted) * normal;
                     float travelled = path.travelled + hit.t;
-                    Path reflection = Path(leave(surface.position, normal, hit.t), normalize(reflected),
-                                           scaled(path.throughput, reflectance), path.depth + 1u, travelled);
-                    Path refraction = Path(leave(surface.position, -normal, hit.t), normalize(refracted),
-                                           scaled(path.throughput, 1.0 - reflectance), path.depth + 1u, travelled);
+                    Path reflection = Path(leave(surface.position, normal, hit.t), normalize(reflected), path.depth + 1u, travelled);
+                    Path refraction = Path(leave(surface.position, -normal, hit.t), normalize(refracted), path.depth + 1u, travelled);
                     if (reflectance < 1.0) {
-                        if (largest(reflection.throughput) >= LEAST_THROUGHPUT) waiting[waitingCount++] = reflection;
+                        if (largestThroughput() * reflectance >= LEAST_THROUGHPUT)
+                            waiting[waitingCount++] = WaitingPath(reflection, throughput, reflectance);
+                        scaleThroughput(1.0 - reflectance);
                         path = refraction;
                     } else {
                         path = reflection;
                     }
-                    alive = largest(path.throughput) >= LEAST_THROUGHPUT;
+                    alive = largestThroughput() >= LEAST_THROUGHPUT;
                 }
             } else if (OPTICAL_DISC_COUNT > 0u && kind == OPTICAL_DISC) {
                 alive = path.depth < MAX_DEPTH;
@@ -270,19 +275,21 @@ void tracePath(Path path, inout Sample sample_) {
                 float squared = dot(surface.local, surface.local);
                 if (HAS_HUBS != 0u && squared < disc.hubRadiusSquared) {
                     float reflectance = clearSheet(abs(facing), disc.index);
-                    mirrored.throughput = scaled(path.throughput, reflectance);
-                    if (alive && largest(mirrored.throughput) >= LEAST_THROUGHPUT) waiting[waitingCount++] = mirrored;
-                    path.throughput = scaled(path.throughput, 1.0 - reflectance);
+                    if (alive && largestThroughput() * reflectance >= LEAST_THROUGHPUT)
+                        waiting[waitingCount++] = WaitingPath(mirrored, throughput, reflectance);
+                    scaleThroughput(1.0 - reflectance);
                     path.origin = leave(surface.position, -normal, hit.t);
                     path.travelled += hit.t;
                     path.depth += 1u;
                 } else {
                     vec3 radial = surface.local * inversesqrt(squared);
                     vec2 out_ = vec2(dot(path.direction, radial), dot(path.direction, cross(normal, radial)));
-                    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
-                        mirrored.throughput.band[k] *= undeviatedShare(disc, out_, abs(facing), bandMiddle_um(k),
-                                                                       isOnTrack(disc, squared));
+                    // Downwards, as the first may stand for all.
+                    [[dont_unroll]] for (uint k = BANDS; k-- > 0u;) {
+                        throughput.band[k] = inBand(k) * undeviatedShare(disc, out_, abs(facing), bandMiddle_um(k),
+                                                                         isOnTrack(disc, squared));
                     }
+                    if (BANDS > 1u) throughput.bands = BANDS;
                     path = mirrored;
                 }
             } else if (HAS_CONDUCTORS != 0u || HAS_THESIS_DISCS != 0u) {
@@ -290,22 +297,25 @@ void tracePath(Path path, inout Sample sample_) {
                     bool nonFinite = false;
                     vec3 pattern = thesisDiscValue(material.aperture, surface.local, surface.normal,
                                                    path.direction, nonFinite);
-                    pattern *= material.color * throughputOfPrimaries(path.throughput);
+                    pattern *= material.color * throughputOfPrimaries();
                     sample_.radiance += xyzFromLinearSrgb(pattern);
                     sample_.nonFinite = sample_.nonFinite || nonFinite;
-                    path.throughput = scaled(path.throughput, material.value);
+                    scaleThroughput(material.value);
                 } else {
                     // Bands are interpolated between linearly: a sixteenth of the second difference halves the error.
                     uint first = scene.frame.metals + 2u * material.row * BANDS;
-                    float here = fresnelConductor(abs(facing), tables[first], tables[first + 1u]);
+                    uint last = first + 2u * (BANDS - 1u);
+                    float here = fresnelConductor(abs(facing), tables[last], tables[last + 1u]);
                     float before = here;
-                    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
-                        uint next = first + 2u * min(k + 1u, BANDS - 1u);
+                    // Downwards, as the first may stand for all.
+                    [[dont_unroll]] for (uint k = BANDS; k-- > 0u;) {
+                        uint next = first + 2u * (max(k, 1u) - 1u);
                         float after = fresnelConductor(abs(facing), tables[next], tables[next + 1u]);
-                        path.throughput.band[k] *= here - 0.0625 * (before - 2.0 * here + after);
+                        throughput.band[k] = inBand(k) * (here - 0.0625 * (before - 2.0 * here + after));
                         before = here;
                         here = after;
                     }
+                    if (BANDS > 1u) throughput.bands = BANDS;
                 }
                 alive = path.depth < MAX_DEPTH;
                 path.direction += 2.0 * abs(facing) * normal;
@@ -317,7 +327,10 @@ void tracePath(Path path, inout Sample sample_) {
         }
         if (!alive) {
             if ((HAS_DIELECTRICS == 0u && HAS_HUBS == 0u) || waitingCount == 0u) break;
-            path = waiting[--waitingCount];
+            --waitingCount;
+            path = waiting[waitingCount].path;
+            throughput = waiting[waitingCount].throughput;
+            scaleThroughput(waiting[waitingCount].share);
         }
     }
 }

@@ -52,7 +52,7 @@ struct Landing {
 
 // What the slits between `left` and `right` of the middle send to a point: for each band, or for the sum of all, the mean
 // response over the window of sines that they fill, times the beam's footprint there.
-vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uint reflectance, Throughput throughput,
+vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uint reflectance,
                       Landing landing, float blur, float facing) {
     // Sine of the direction from either end; their difference without cancellation.
     float x1 = v.x - right, x2 = v.x - left;
@@ -73,20 +73,20 @@ vec3 fromSlitsBetween(SlitGrating g, GratingView v, float left, float right, uin
                                                         landing.wave.x, landing.wave.y, v.smear.y);
         return (landed * throughput.band[0] * power) * slitColor(g, reflectance, 0u, u, width);
     }
-    bool bandwise = BANDS > 1u || landing.rippled;
+    bool bandwise = (BANDS > 1u && throughput.bands > 0u) || landing.rippled;
     uint bands = bandwise ? SPECTRAL_BANDS : 1u;
     vec3 sum = vec3(0.0);
     [[dont_unroll]] for (uint k = 0u; k < bands; ++k) {
         vec2 wave = HAS_RIPPLES != 0u && landing.rippled ? waveInBand(g, u, k) : landing.wave;
         float landed = footprint(g, landing.profile, v.footY, curvature, landing.halfHeight, wave.x, wave.y, v.smear.y);
         if (landing.inside) landed = 1.0;
-        sum += landed * throughput.band[BANDS > 1u ? k : 0u] * slitColor(g, reflectance, bandwise ? k + 1u : 0u, u, width);
+        sum += landed * inBand(k) * slitColor(g, reflectance, bandwise ? k + 1u : 0u, u, width);
     }
     return sum * power;
 }
 
 // A continuous spectrum: all orders where the slits are narrow, all but the undeviated one where they are wide.
-vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throughput, float blur, float facing) {
+vec3 continuum(SlitGrating g, GratingView v, uint reflectance, float blur, float facing) {
     float curvature = v.conical * v.conical / v.range;
     bool isGaussian = HAS_GAUSSIAN_BEAMS != 0u && g.profile == GAUSSIAN_BEAM;
     bool isRound = HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u && hasRoundEdge(g, curvature);
@@ -118,7 +118,7 @@ vec3 continuum(SlitGrating g, GratingView v, uint reflectance, Throughput throug
             float middle = 0.5 * (left + right) / g.halfWidth;
             weight = exp(-2.0 * middle * middle);
         }
-        sum += weight * fromSlitsBetween(g, v, left, right, reflectance, throughput, landing, blur, facing);
+        sum += weight * fromSlitsBetween(g, v, left, right, reflectance, landing, blur, facing);
         left = right;
     }
     return sum;
@@ -176,8 +176,8 @@ float orderShare(SlitGrating g, uint line, float order) {
 }
 
 // The colour of a wavelength followed on its own: record `i` of a list, after the path.
-vec3 waveColor(uint record, Throughput throughput, float wavelength_um) {
-    return throughputAt(throughput, wavelength_um) * tableColor(record + 1u);
+vec3 waveColor(uint record, float wavelength_um) {
+    return throughputAt(wavelength_um) * tableColor(record + 1u);
 }
 
 // Irradiance for a density of 1 per u, from slits that are all seen under the same sine.
@@ -185,7 +185,7 @@ float fromRow(SlitGrating g, GratingView v, float facing) {
     return g.irradiance * 2.0 * g.halfSlits * v.z / (v.rho * v.rho) * facing;
 }
 
-vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput,
+vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance,
                    float blur, float facing) {
     float u = v.conical * v.x / v.rho - g.alphaIn;
     vec3 sum = vec3(0.0);
@@ -208,12 +208,12 @@ vec3 spectralLines(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint 
             }
             value *= fromRow(g, v, facing) * footprintAlong(g, v, wavelength_um * 1e-6, 0.0);
         }
-        sum += value * waveColor(record, throughput, wavelength_um);
+        sum += value * waveColor(record, wavelength_um);
     }
     return sum;
 }
 
-vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance, Throughput throughput) {
+vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint reflectance) {
     vec3 sum = vec3(0.0);
     float gamma = sqrt(1.0 - g.alphaIn * g.alphaIn - g.betaIn * g.betaIn);
     float range = v.z / gamma;
@@ -225,7 +225,7 @@ vec3 undeviated(SlitGrating g, GratingView v, vec3 offset, vec3 normal, uint ref
         uint record = g.zeroOrder + 4u * (reflectance * g.zeroOrderCount + i);
         float wavelength_um = tables[record];
         sum += orderIrradiance(g, v, offset, normal, 0.0, 1.0, wavelength_um, -ZERO_ORDER_STEP_um / wavelength_um) *
-               waveColor(record, throughput, wavelength_um);
+               waveColor(record, wavelength_um);
     }
     return sum;
 }
@@ -238,8 +238,7 @@ float changeOnSurface(vec3 gradient, vec3 normal, vec3 slant) {
 
 // Light reflected towards the eye by a diffuse surface of reflectance row `reflectance`, times pi, XYZ. `normal` is on the
 // eye's side; `view` and `pixel`, direction and width of what the sample sees, say over how many fringes to average.
-vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance,
-                      Throughput throughput) {
+vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float pixel, uint reflectance) {
     GratingView v = viewFrom(g, offset);
     float nearness = 1.0 / v.rho;
     vec3 direction = (v.conical * nearness) * (v.x * g.across + v.z * g.normal) + g.betaIn * g.along;
@@ -256,14 +255,14 @@ vec3 slitGratingValue(SlitGrating g, vec3 offset, vec3 normal, vec3 view, float 
     bool byPairs = HAS_PAIRS_EVALUATOR != 0u && decided(g.evaluator) == PAIRS_EVALUATOR;
     if (byPairs && g.entries > 0u && facing > 0.0) {
         float u = v.conical * v.x / v.rho - g.alphaIn;
-        sum += fromRow(g, v, facing) * pairColor(g, v, reflectance, throughput, u, blur);
+        sum += fromRow(g, v, facing) * pairColor(g, v, reflectance, u, blur);
     }
     if (HAS_SLIT_CONTINUUM != 0u && !byPairs && g.entries > 0u && facing > 0.0) {
-        sum += continuum(g, v, reflectance, throughput, blur, facing);
+        sum += continuum(g, v, reflectance, blur, facing);
         if (HAS_WIDE_GRATINGS != 0u && decided(g.isWide) != 0u) {
-            sum += undeviated(g, v, offset, normal, reflectance, throughput);
+            sum += undeviated(g, v, offset, normal, reflectance);
         }
     }
-    if (HAS_SLIT_LINES != 0u) sum += spectralLines(g, v, offset, normal, reflectance, throughput, blur, max(facing, 0.0));
+    if (HAS_SLIT_LINES != 0u) sum += spectralLines(g, v, offset, normal, reflectance, blur, max(facing, 0.0));
     return sum;
 }

@@ -1,27 +1,42 @@
 // Colour: spectra of lights times reflectances, integrated on the host against the colour-matching functions
 // (src/compile/spectral.hpp). Light that passed a metal is followed in bands.
 
-// Throughput of a path at the band's middles; one number where nothing on the way has a colour of its own.
+// Throughput of the path that is followed, at the bands' middles. While nothing on the way had a colour of its own, the first
+// number stands for all: what is seen directly in a scene with a metal needs no loop over bands. A variable of its own and
+// no parameter, as every function that is called would get a copy of it.
 struct Throughput {
     float band[BANDS];
+    uint bands;          // 0: one number for all; else BANDS
 };
+Throughput throughput;
+
+float inBand(uint band) { return throughput.band[throughput.bands > 0u ? band : 0u]; }
+
+// Where the colours of a spectrum off a reflectance are: of the whole, and then, where paths may have bands, of each.
+uint colorsOf(uint spectrum, uint reflectance) {
+    return (spectrum * scene.frame.reflectanceCount + reflectance) * (BANDS > 1u ? BANDS + 1u : 1u) * 3u;
+}
+vec3 bandColor(uint colors, uint band) { return tableColor(colors + 3u * (BANDS > 1u ? band + 1u : band)); }
 
 // The light of a spectrum, one unit of it, off a surface of reflectance row `reflectance`, after the path: XYZ.
-vec3 seen(Throughput throughput, uint spectrum, uint reflectance) {
-    uint first = (spectrum * scene.frame.reflectanceCount + reflectance) * BANDS * 3u;
-    vec3 sum = vec3(0.0);
-    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) sum += throughput.band[k] * tableColor(first + 3u * k);
+vec3 seen(uint spectrum, uint reflectance) {
+    uint colors = colorsOf(spectrum, reflectance);
+    if (BANDS == 1u) return throughput.band[0] * tableColor(colors);
+    vec3 sum = throughput.bands == 0u ? throughput.band[0] * tableColor(colors) : vec3(0.0);
+    [[dont_unroll]] for (uint k = 0u; k < throughput.bands; ++k) sum += throughput.band[k] * bandColor(colors, k);
     return sum;
 }
 
-Throughput scaled(Throughput throughput, float factor) {
-    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) throughput.band[k] *= factor;
-    return throughput;
+void scaleThroughput(float factor) {
+    throughput.band[0] *= factor;
+    if (BANDS == 1u) return;
+    [[dont_unroll]] for (uint k = 1u; k < throughput.bands; ++k) throughput.band[k] *= factor;
 }
 
-float largest(Throughput throughput) {
+float largestThroughput() {
     float value = throughput.band[0];
-    [[dont_unroll]] for (uint k = 1u; k < BANDS; ++k) value = max(value, throughput.band[k]);
+    if (BANDS == 1u) return value;
+    [[dont_unroll]] for (uint k = 1u; k < throughput.bands; ++k) value = max(value, throughput.band[k]);
     return value;
 }
 
@@ -41,17 +56,17 @@ float bandPlace(float wavelength_um) {
 }
 
 // At one wavelength: linear between the bands' middles.
-float throughputAt(Throughput throughput, float wavelength_um) {
+float throughputAt(float wavelength_um) {
     if (BANDS == 1u) return throughput.band[0];
     float place = bandPlace(wavelength_um);
     uint k = uint(place);
-    return mix(throughput.band[k], throughput.band[k + 1u], place - float(k));
+    return mix(inBand(k), inBand(k + 1u), place - float(k));
 }
 
 // For values that are linear sRGB by definition (thesis): each channel at its primary's dominant wavelength.
-vec3 throughputOfPrimaries(Throughput throughput) {
+vec3 throughputOfPrimaries() {
     if (BANDS == 1u) return vec3(throughput.band[0]);
-    return vec3(throughputAt(throughput, 0.6114), throughputAt(throughput, 0.5491), throughputAt(throughput, 0.4642));
+    return vec3(throughputAt(0.6114), throughputAt(0.5491), throughputAt(0.4642));
 }
 
 // IEC 61966-2-1, primaries of Rec. 709; white is D65 as the film has it (optics::xyzFromLinearSrgb, 380 to 780 nm).

@@ -136,16 +136,14 @@ std::vector<float> SpectralTables::colors() const {
                 const std::vector<optics::Node> more = optics::lineNodes(line, reflectance);
                 nodes.insert(nodes.end(), more.begin(), more.end());
             }
-            std::vector<glm::dvec3> colors(bands_, glm::dvec3(0.0));
+            std::vector<glm::dvec3> colors(bands_ == 1 ? 1 : bands_ + 1, glm::dvec3(0.0));
             for (const optics::Node& node : nodes) {
                 const glm::dvec3 color = node.weight * response(0, node.wavelength_nm);
-                if (bands_ == 1) {
-                    colors[0] += color;
-                    continue;
-                }
+                colors[0] += color;
+                if (bands_ == 1) continue;
                 const auto [band, upper] = bandShare(node.wavelength_nm);
-                colors[band] += (1.0 - upper) * color;
-                colors[band + 1] += upper * color;
+                colors[band + 1] += (1.0 - upper) * color;
+                colors[band + 2] += upper * color;
             }
             for (const glm::dvec3& color : colors) {
                 for (int i = 0; i < 3; ++i) table.push_back(static_cast<float>(color[i]));

@@ -83,7 +83,8 @@ public:
     // What the film records of one watt at this wavelength off this reflectance.
     glm::dvec3 response(std::size_t reflectance, double wavelength_nm) const;
 
-    // The colours of all spectra off all reflectances so far: [spectrum][reflectance][band][xyz].
+    // The colours of all spectra off all reflectances so far: [spectrum][reflectance][xyz] where there is one
+    // band, else [spectrum][reflectance][the whole and each band][xyz].
     std::vector<float> colors() const;
 
     // Refractive indices of the metals so far at the bands: [metal][band][n, k].

@@ -25,10 +25,10 @@ void main() {
         // In the middle of the beam, and so far away that pairs have their far field: two slits' Fresnel phase for half a
         // millimetre is 5e-5 of a turn, while the beam's edges are still ten Fresnel widths off.
         GratingView v = viewFrom(g, 1e4 * g.normal);
-        Throughput throughput;
         throughput.band[0] = 1.0;
+        throughput.bands = 0u;
         v.smear = vec2(0.0);
-        color += pairColor(g, v, 0u, throughput, window.x, window.y);
+        color += pairColor(g, v, 0u, window.x, window.y);
     } else if (HAS_SLIT_CONTINUUM != 0u) color += slitColor(g, 0u, 0u, window.x, window.y);
     if (HAS_SLIT_LINES != 0u) {
         for (uint i = 0u; i < decided(g.lineCount); ++i) {

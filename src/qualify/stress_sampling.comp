@@ -26,7 +26,6 @@ vec3 tableColor(uint at) { return vec3(0.0); }
 struct Path {
     vec3 origin;
     vec3 direction;
-    Throughput throughput;
     uint depth;
     float travelled;
 };
@@ -65,9 +64,9 @@ void main() {
         give3(0u, path.origin);
         give3(3u, path.direction);
     } else if (VARIANT == 5u) {
-        Throughput throughput;
         for (uint k = 0u; k < BANDS; ++k) throughput.band[k] = bandMiddle_um(k);
-        give(0u, throughputAt(throughput, given(0u)));
+        throughput.bands = BANDS;
+        give(0u, throughputAt(given(0u)));
     } else {
         give3(0u, xyzFromLinearSrgb(given3(0u)));
     }

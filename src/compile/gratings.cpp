@@ -9,6 +9,7 @@
 
 #include "compile/evaluators.hpp"
 #include "compile/number.hpp"
+#include "compile/slit_shares.hpp"
 #include "compile/wave_tables.hpp"
 #include "optics/energy.hpp"
 #include "optics/orders.hpp"
@@ -136,9 +137,9 @@ void addTables(const LitSlits& lit, const optics::Spectrum& spectrum, const Spec
         }
         if (packed.isWide != 0) {
             std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
-            divideByShares(lit, undeviated);
-            for (SpectralSample& sample : undeviated)
-                sample.power *= orderShare(lit, 0, sample.wavelength_nm);
+            const auto shares = propagatingShares(lit, 1.0, tables.memo());
+            for (std::size_t i = 0; i < undeviated.size(); ++i)
+                undeviated[i].power *= orderShare(lit, 0, undeviated[i].wavelength_nm) / (*shares)[i];
             packed.zeroOrder = here();
             packed.zeroOrderCount = appendCoarse(undeviated, tables, values);
         }

@@ -15,9 +15,8 @@ struct Bin {
     BandShare share;
 };
 
-// The share is worked out for every `stride`th bin, and taken as straight between them.
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
-                                const SpectralTables& tables, double step_nm, int stride = 1);
+                                const SpectralTables& tables, double step_nm);
 
 // Densities, one table of `out.entries` after the other, as the entries that the device reads; sets the
 // units.

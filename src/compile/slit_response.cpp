@@ -9,43 +9,21 @@
 #include "compile/order_integrals.hpp"
 #include "compile/parallel.hpp"
 #include "compile/slit_bins.hpp"
+#include "compile/slit_shares.hpp"
 #include "compile/table_memo.hpp"
 #include "optics/energy.hpp"
 #include "optics/integrals.hpp"
 
 namespace fringe::compile {
 
-namespace {
-
-// work(i) for every stride-th i from 0 on, and for the last.
-template <class Work>
-void atNodes(int last, int stride, Work work) {
-    const int count = (last + stride - 1) / stride + 1;
-    inParallel(last < 0 ? 0 : count, [&](int node) { work(std::min(node * stride, last)); });
-}
-
-// What lies between the nodes of atNodes() on a straight line; `at` gives the place of an element.
-template <class At>
-void fillBetweenNodes(int last, int stride, At at) {
-    for (int left = 0; left < last; left += stride) {
-        const int right = std::min(left + stride, last);
-        const auto from = at(left), to = at(right);
-        for (int i = left + 1; i < right; ++i) {
-            const float part = static_cast<float>(i - left) / static_cast<float>(right - left);
-            at(i) = (1.0F - part) * from + part * to;
-        }
-    }
-}
-
-}  // namespace
-
 std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
-                                const SpectralTables& tables, double step_nm, int stride) {
+                                const SpectralTables& tables, double step_nm) {
+    const auto shares = propagatingShares(lit, step_nm, tables.memo());
     std::vector<Bin> bins;
     for (const SpectralSample& sample : continuousSamples(spectrum, step_nm)) {
         Bin bin{};
         bin.wavelength_um = 1e-3 * sample.wavelength_nm;
-        bin.weight = sample.power;
+        bin.weight = sample.power / (*shares)[bins.size()];
         for (std::size_t r = 0; r < tables.reflectances().size(); ++r) {
             bin.colors.push_back(tables.response(r, sample.wavelength_nm));
         }
@@ -55,15 +33,6 @@ std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spe
         bin.share = bandShare(sample.wavelength_nm);
         bins.push_back(std::move(bin));
     }
-    // Thousands of slits take most of a millisecond a wavelength.
-    const int last = static_cast<int>(bins.size()) - 1;
-    std::vector<double> shares(bins.size());
-    atNodes(last, stride, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        shares[at] = lit.propagatingShare(1e3 * bins[at].wavelength_um);
-    });
-    fillBetweenNodes(last, stride, [&](int i) -> double& { return shares[static_cast<std::size_t>(i)]; });
-    for (std::size_t i = 0; i < bins.size(); ++i) bins[i].weight /= shares[i];
     return bins;
 }
 
@@ -176,18 +145,18 @@ TableMemo::Key keyOf(const LitSlits& lit, const optics::Spectrum& spectrum, cons
     return key.add(spectrum.density).addReflectances(tables);
 }
 
-// Of drafts every so many entries are worked out, which draws the fringes of few slits to 8 % and the first
-// order of many in steps of 5.8 nm; and the propagating share of every so many bins.
-constexpr int kDraftOfFringes = 8, kDraftBins = 32;
+// Of drafts: few slits have an eighth of the entries, which draws their fringes to 8 %; the first order of
+// many comes in steps of 5.8 nm, from a spectrum in bins of 2 nm.
+constexpr double kDraftOfFringes = 8.0, kDraftBin_nm = 2.0;
 constexpr double kDraftOfOrders_um = 5.8e-3;
 
 SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
-                          bool zeroOrder, double perU, bool isDraft) {
+                          bool zeroOrder, double wantedPerU, bool isDraft) {
     const double count = lit.slits.count;
     const double width_um = lit.slits.width / units::um;
     const double period_um = lit.slits.period / units::um;
-    const int ofOrders = std::max(1, static_cast<int>(kDraftOfOrders_um * perU / period_um));
-    const int stride = !isDraft ? 1 : zeroOrder ? kDraftOfFringes : ofOrders;
+    const double draftPerU = zeroOrder ? wantedPerU / kDraftOfFringes : period_um / kDraftOfOrders_um;
+    const double perU = isDraft ? std::min(draftPerU, wantedPerU) : wantedPerU;
     const double extent_um = (count - 1.0) * period_um + width_um;
     const double conical = std::sqrt(1.0 - lit.betaIn * lit.betaIn);
     const double largestU = conical + std::abs(lit.alphaIn);
@@ -195,8 +164,10 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     // Wavelengths: four to the narrowest side lobe for the direct sum; bins of half a nanometre for the
     // orders.
     const double lobes = 13.0 * extent_um * largestU;
-    const double step_nm = zeroOrder ? 400.0 / std::max(400.0, std::ceil(lobes)) : 0.5;
-    const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, step_nm, isDraft ? kDraftBins : 1);
+    const double step_nm = zeroOrder ? 400.0 / std::max(400.0, std::ceil(lobes))
+                           : isDraft ? kDraftBin_nm
+                                     : 0.5;
+    const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, step_nm);
 
     const auto below = static_cast<int>(std::ceil((conical + lit.alphaIn) * perU)) + 1;
     const auto above = static_cast<int>(std::ceil((conical - lit.alphaIn) * perU)) + 1;
@@ -267,14 +238,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             storeAll(side * entry, sums);
         }
     };
-    atNodes(std::max(below, above), stride, writeEntry);
-    const int nearer = std::min(below, above);
-    if (nearer % stride != 0) writeEntry(nearer);
-    for (std::size_t table = 0; table < rows.all(); ++table) {
-        glm::vec3* const middle = &density[table * entries + static_cast<std::size_t>(below)];
-        fillBetweenNodes(above, stride, [&](int i) -> glm::vec3& { return middle[i]; });
-        fillBetweenNodes(below, stride, [&](int i) -> glm::vec3& { return middle[-i]; });
-    }
+    inParallel(std::max(below, above) + 1, writeEntry);
 
     SlitResponse out{static_cast<device::uint>(below), perU, entries, 0.0, 0.0, {}};
     encode(density, out);
@@ -290,12 +254,9 @@ double LitSlits::propagatingShare(double wavelength_nm) const {
 
 std::shared_ptr<const SlitResponse> slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
                                                  const SpectralTables& tables, bool zeroOrder, double perU) {
-    TableMemo* const memo = tables.memo();
-    TableMemo::Key key = keyOf(lit, spectrum, tables, zeroOrder, perU);
-    const bool isDraft = memo != nullptr && memo->wantsDrafts() && !memo->has(key);
-    if (isDraft) key.addDraft();
-    return rememberedTable(memo, std::move(key),
-                           [&] { return makeResponse(lit, spectrum, tables, zeroOrder, perU, isDraft); });
+    return rememberedOrDraft(tables.memo(), keyOf(lit, spectrum, tables, zeroOrder, perU), [&](bool isDraft) {
+        return makeResponse(lit, spectrum, tables, zeroOrder, perU, isDraft);
+    });
 }
 
 }  // namespace fringe::compile

@@ -39,9 +39,8 @@ struct SlitResponse {
         values;  // [reflectance][sum of the bands, then each if `inBands`][entry]
 };
 
-// `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()). From the memo of
-// `tables`, if there; where that wants drafts, a new one has most of its entries from straight lines between
-// the others, which takes an eighth of the time or less.
+// `tables` must know all reflectances. `perU`: entries per unit of u (chooseEvaluator()), of which a draft
+// has an eighth or less. From the memo of `tables`, if there.
 std::shared_ptr<const SlitResponse> slitResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
                                                  const SpectralTables& tables, bool zeroOrder, double perU);
 

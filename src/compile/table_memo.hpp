@@ -39,7 +39,7 @@ public:
     // A scene is compiled from here on: what the one before it did not ask for is let go.
     void beginScene();
 
-    // From now on new tables may be drafts (slitResponse()), for a scene that is about to change again.
+    // From now on new tables may be drafts (rememberedOrDraft()), for a scene that is about to change again.
     void wantDrafts(bool wanted) { wantsDrafts_ = wanted; }
     bool wantsDrafts() const { return wantsDrafts_; }
 
@@ -85,6 +85,15 @@ template <class Make>
 auto rememberedTable(TableMemo* memo, TableMemo::Key key, Make make) {
     using Table = std::invoke_result_t<Make>;
     return memo == nullptr ? std::make_shared<const Table>(make()) : memo->table(std::move(key), make);
+}
+
+// The same of a table that a draft will do for, where drafts are wanted and the table is not there yet;
+// `make` is told whether it is to be one.
+template <class Make>
+auto rememberedOrDraft(TableMemo* memo, TableMemo::Key key, Make make) {
+    const bool isDraft = memo != nullptr && memo->wantsDrafts() && !memo->has(key);
+    if (isDraft) key.addDraft();
+    return rememberedTable(memo, std::move(key), [&] { return make(isDraft); });
 }
 
 }  // namespace fringe::compile

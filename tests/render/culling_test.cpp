@@ -253,33 +253,34 @@ scene::Scene longPicture(int thesis) {
     return scene;
 }
 
-void expectSamePictures(const scene::Scene& scene, const char* what) {
+void expectSamePictures(const scene::Scene& scene, const char* what,
+                        std::initializer_list<std::uint32_t> tileEdges) {
     const CompiledScene compiled = compile::compileScene(scene);
     const LitTiles tiles = compile::litTiles(scene, compiled);
     const auto lit = std::count(tiles.lit.begin(), tiles.lit.end(), true);
     EXPECT_GT(lit, 3) << what;
     EXPECT_LT(lit + 3, static_cast<std::ptrdiff_t>(tiles.lit.size())) << what;
     const image::Image whole = renderOnDevice(scene);
-    for (const std::uint32_t tile : {0U, 24U, 88U}) {
+    for (const std::uint32_t tile : tileEdges) {
         SCOPED_TRACE(what + std::string(", tile ") + std::to_string(tile));
         expectSameBits(whole, renderOnDevice(scene, {.knowsLitTiles = true, .tile = tile}));
     }
 }
 
 TEST(LitTilesOnDevice, ChangeNoBitOfThePicture) {
-    expectSamePictures(longPicture(3), "perspective");
+    expectSamePictures(longPicture(3), "perspective", {0, 24, 88});
 }
 
 TEST(LitTilesOnDevice, ChangeNoBitThroughALens) {
     scene::Scene scene = longPicture(3);
     std::get<scene::Perspective>(scene.camera.projection).lens = scene::ThinLens{0.1 * m, 3.0 * m};
-    expectSamePictures(scene, "lens");
+    expectSamePictures(scene, "lens", {0});
 }
 
 TEST(LitTilesOnDevice, ChangeNoBitOfAParallelView) {
     scene::Scene scene = longPicture(3);
     scene.camera.projection = scene::Orthographic{3.0};
-    expectSamePictures(scene, "orthographic");
+    expectSamePictures(scene, "orthographic", {0});
 }
 
 TEST(LitTiles, AreAllOfThemWhereAMirrorFillsThePicture) {

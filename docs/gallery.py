@@ -26,7 +26,7 @@ SECTIONS = {  # folder: title, largest width of a picture in pixels, introductio
     "discs": ("Discs", 320, "Optical discs and a record, lit by the lamps of the scene; how, is in [optical-discs.md](optical-discs.md).", ["cd-on-desk", "cd"]),
     "laboratory": ("Laboratory", 420, "Experiments, to be measured with [`fringe profile`](profile.md).", []),
 }
-WIDER = {"apertures-wall.png": 440, "apertures-near-to-far.png": 800}  # than the others of their section
+WIDER = {"apertures-wall.png": 440, "apertures-gaussian.png": 800, "apertures-near-to-far.png": 800}  # than the others of their section
 
 
 def scenes(folder, first):

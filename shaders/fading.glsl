@@ -25,13 +25,15 @@ float fringeContrast(vec2 turns) { return (1.0 - smoothstep(0.3, 0.5, turns.x)) 
 // Pixels and the source blur as far as the finest fringes cannot be told apart; a step of the list likewise, whose line
 // then reaches from the middle between two wavenumbers to the next, so that no fringe adds up over the list.
 void blurMask(OpeningGrating g, OpeningView v, inout Fading fading) {
-    vec2 step_ = g.wavenumberStep * v.uv;
-    float extent = MIDDLE_WAVENUMBER * g.extent_um;
-    float perPixel = sqrt(dot(v.perPixel[0], v.perPixel[0]) + dot(v.perPixel[1], v.perPixel[1]));
-    mat2 pixel = sqrt(smoothstep(0.15, 0.6, extent * perPixel)) * v.perPixel;
-    step_ *= sqrt(smoothstep(0.3, 0.6, g.extent_um * length(step_)));
-    fading.blur = g.pixel_um * mat3x2(pixel[0], pixel[1], step_);
-    fading.sourceBlur = g.pixel_um * g.sourceBlur * sqrt(smoothstep(0.3, 0.6, extent * g.sourceBlur) / 12.0);
+    vec2 step_ = g.wavenumberStep * g.pixel_um * v.uv;
+    mat2 pixel = mat2(g.pixel_um * v.perPixel[0], g.pixel_um * v.perPixel[1]);
+    float source = g.sourceBlur * min(g.pixel_um.x, g.pixel_um.y);
+    float extent = MIDDLE_WAVENUMBER * g.extent;
+    float perPixel = sqrt(dot(pixel[0], pixel[0]) + dot(pixel[1], pixel[1]));
+    pixel *= sqrt(smoothstep(0.15, 0.6, extent * perPixel));
+    step_ *= sqrt(smoothstep(0.3, 0.6, g.extent * length(step_)));
+    fading.blur = mat3x2(pixel[0], pixel[1], step_);
+    fading.sourceBlur = source * sqrt(smoothstep(0.3, 0.6, extent * source) / 12.0);
 }
 
 // Of rectangles and a mask's pixels for either side, else of the widest points in the direction of the fringes.
@@ -40,7 +42,7 @@ Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
     fading.kept = 1.0;
     fading.core = vec2(0.0);
     if (opening == RECTANGULAR_OPENING || opening == MASK_OPENING) {
-        vec2 side = opening == MASK_OPENING ? vec2(g.pixel_um) : g.size_um;
+        vec2 side = opening == MASK_OPENING ? g.pixel_um : g.size_um;
         vec2 x = turnsPerStep(g, v, vec2(side.x, 0.0)), y = turnsPerStep(g, v, vec2(0.0, side.y));
         fading.contrast = vec2(fringeContrast(x), fringeContrast(y));
         fading.perPixel_um = vec2(x.y, y.y) / MIDDLE_WAVENUMBER;
@@ -49,7 +51,7 @@ Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
         return fading;
     }
     bool isPolygon = opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING;
-    float extent_um = isPolygon ? g.extent_um : g.size_um.x;
+    float extent_um = isPolygon ? g.extent : g.size_um.x;
     vec2 turns = turnsPerStep(g, v, extent_um * v.uv * inversesqrt(max(dot(v.uv, v.uv), 1e-30)));
     fading.contrast = vec2(fringeContrast(turns));
     // All of the pattern is 1/area; the part beyond r, perimeter / (2 pi^2 r area^2) where r is large.
@@ -112,7 +114,7 @@ void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fadin
     if (!knowsMeans(opening)) return;
     vec3 wavenumbers = MEAN_WAVENUMBERS, cubes = wavenumbers * wavenumbers * wavenumbers;
     if (opening == RECTANGULAR_OPENING || opening == MASK_OPENING) {
-        vec2 x = v.uv * (opening == MASK_OPENING ? vec2(g.pixel_um) : g.size_um);
+        vec2 x = v.uv * (opening == MASK_OPENING ? g.pixel_um : g.size_um);
         fading.first = sideMeans(x.x, fading.perPixel_um.x, fading.perStep.x, wavenumbers);
         fading.second = sideMeans(x.y, fading.perPixel_um.y, fading.perStep.y, wavenumbers);
     } else if (opening == CIRCULAR_OPENING) {
@@ -136,7 +138,8 @@ void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fadin
 float fadedMask(OpeningGrating g, Fading fading, vec2 f_per_um, float wavenumber) {
     vec2 x = f_per_um * g.pixel_um;
     mat3x2 box = mat3x2(wavenumber * fading.blur[0], wavenumber * fading.blur[1], fading.blur[2]);
-    MaskBlur blur = maskBlur(box, wavenumber * fading.sourceBlur, g.extent_um / g.pixel_um, g.size_um);
+    MaskBlur blur = maskBlur(box, wavenumber * fading.sourceBlur, g.extent, g.size_um);
     vec2 sides = sidePatterns(fading, MASK_OPENING, x, wavenumber);
+    if (g.hasHats != 0u) sides *= sides;
     return maskPattern(x, g.table, g.size_um, blur) * sides.x * sides.y;
 }

@@ -292,10 +292,11 @@ struct OpeningGrating {
     float convergence;   // 1 / distance of the beam's focus; 0 for a collimated beam
     uint opening;
     vec2 size_um;        // width, height | diameter, - | diameter, inner over outer | area in um^2, - | mask: its table's
-    float pixel_um;      // of a mask
+    vec2 pixel_um;       // of a mask: width and height
     uint table;          // in the tables: a polygon's vertices in um, a mask's spectrum
     uint edgeCount;      // of a polygon, or of its half
-    float extent_um;     // diameter of a polygon
+    float extent;        // diameter of a polygon in um, of a mask in its pixels
+    uint hasHats;        // 1: a mask's pixels are hats twice as wide, which overlap, and not squares
     uint isLattice;
     uint isNear;         // 1: a surface that it lights lies in its near field (shaders/near_openings.glsl)
     vec4 first_um;       // from cell to cell: (x, y) rounded, and what that leaves out

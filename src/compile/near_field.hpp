@@ -19,6 +19,9 @@ bool hasNearField(const optics::Aperture& aperture);
 // The wavelength that Fresnel numbers are given for: the middle of the visible range.
 inline constexpr double kFresnelWavelength = 550e-9;
 
+// From this Fresnel number on a far field is 8e-3 of its peak off, and soon more.
+inline constexpr double kFarFieldNumber = 0.1;
+
 // Where an opening's light is furthest from its far field.
 struct NearestField {
     double distance;       // metres from the opening along the beam; 0 where it lights nothing

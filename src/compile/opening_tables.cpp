@@ -42,8 +42,8 @@ double shareStep_nm(double cellExtent, bool isLattice) {
 
 }  // namespace
 
-MaskTables tablesOf(const optics::MaskAperture& mask) {
-    optics::MaskSpectrum spectrum(mask);
+MaskTables tablesOf(const optics::AmplitudeGrid& grid) {
+    optics::MaskSpectrum spectrum(grid);
     std::vector<float> levels = deviceLevels(spectrum);
     return {std::move(spectrum), std::move(levels)};
 }
@@ -69,11 +69,16 @@ double OpeningShares::knot(std::size_t i) {
     return *known_[i];
 }
 
-OpeningTables openingTables(const optics::Aperture& aperture, const glm::dvec2& incoming, TableMemo* memo) {
-    TableMemo::Key key = TableMemo::Key().add(aperture);
+OpeningTables openingTables(const optics::Aperture& aperture, std::optional<double> profile,
+                            const glm::dvec2& incoming, TableMemo* memo) {
+    TableMemo::Key key = TableMemo::Key().add(aperture).add(profile.value_or(0.0));
     OpeningTables tables;
-    if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture))
-        tables.mask = rememberedTable(memo, key, [&] { return tablesOf(*mask); });
+    if (profile) {
+        tables.mask = rememberedTable(
+            memo, key, [&] { return tablesOf(optics::gaussianGrid(aperture, *profile, kPixelsAcross)); });
+    } else if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture)) {
+        tables.mask = rememberedTable(memo, key, [&] { return tablesOf(optics::gridOf(*mask)); });
+    }
     key.add(incoming.x).add(incoming.y);
     tables.shares = *rememberedTable(memo, std::move(key), [&] {
         const double step_nm =

@@ -14,12 +14,16 @@
 
 namespace fringe::compile {
 
+// Of an opening that a beam lights unevenly. Fourteen points of the table for each keep its interpolation,
+// too, within 1e-5 of the peak.
+inline constexpr std::uint32_t kPixelsAcross = 144;
+
 struct MaskTables {
     optics::MaskSpectrum spectrum;
     std::vector<float>
         levels;  // as the device looks them up: half of the plane and a margin (shaders/masks.glsl)
 };
-MaskTables tablesOf(const optics::MaskAperture& mask);
+MaskTables tablesOf(const optics::AmplitudeGrid& grid);
 
 // The share of the power that propagates, linear between even steps of the wavelength, each of them worked
 // out when it is first asked for: it takes milliseconds.
@@ -41,11 +45,15 @@ private:
 };
 
 struct OpeningTables {
-    std::shared_ptr<const MaskTables> mask;  // of a mask
+    std::shared_ptr<const MaskTables>
+        mask;  // of what is looked up: a mask, an opening that a beam lights unevenly
     std::shared_ptr<OpeningShares> shares;
 };
 
-// `incoming`: direction cosines of the beam. `memo` may be null. Precondition: the aperture is no slits.
-OpeningTables openingTables(const optics::Aperture& aperture, const glm::dvec2& incoming, TableMemo* memo);
+// `profile`: the Gaussian beam's diameter in metres where it counts across the opening. `incoming`: direction
+// cosines of the beam. `memo` may be null. Precondition: the aperture is no slits, and with a profile no
+// lattice.
+OpeningTables openingTables(const optics::Aperture& aperture, std::optional<double> profile,
+                            const glm::dvec2& incoming, TableMemo* memo);
 
 }  // namespace fringe::compile

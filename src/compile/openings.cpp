@@ -4,10 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "compile/beam_profile.hpp"
 #include "compile/gratings.hpp"
 #include "compile/near_field.hpp"
 #include "compile/number.hpp"
@@ -36,6 +36,12 @@ bool hasCentre(const optics::PolygonalAperture& polygon) {
     return true;
 }
 
+device::vec4 highAndLow(dvec2 value) {
+    const device::vec2 high(value);
+    const dvec2 low = value - dvec2(high);
+    return {high.x, high.y, toFloat(low.x), toFloat(low.y)};
+}
+
 // Fills in what of the record describes an opening, or a lattice's cell.
 struct OpeningPacker {
     device::OpeningGrating& packed;
@@ -55,7 +61,7 @@ struct OpeningPacker {
         const bool isSymmetric = hasCentre(polygon) && edges <= std::size_t{2} * device::FEW_EDGES;
         packed.opening = isSymmetric ? device::SYMMETRIC_OPENING : device::POLYGONAL_OPENING;
         packed.size_um = {toFloat(1e12 * optics::area(polygon)), 0.0F};
-        packed.extent_um = toFloat(1e6 * openingExtent(polygon));
+        packed.extent = toFloat(1e6 * openingExtent(polygon));
         packed.table = count(values.size());
         packed.edgeCount = count(isSymmetric ? edges / 2 : edges);
         for (const dvec2& vertex : polygon.vertices) {
@@ -63,43 +69,17 @@ struct OpeningPacker {
             values.push_back(toFloat(1e6 * vertex.y));
         }
     }
-};
-
-// What the beam makes of an opening: a Gaussian one takes its amplitude from a mask's pixels, to a factor,
-// which the power stands for. Other openings are lit evenly.
-optics::Aperture litAperture(const scene::Grating& grating) {
-    optics::Aperture aperture = grating.aperture;
-    auto* mask = std::get_if<optics::MaskAperture>(&aperture);
-    if (mask == nullptr || grating.beam.profile != scene::BeamProfile::gaussian) return aperture;
-    const double pixel = 2.0 * (mask->pixel / m) / (grating.beam.width / m);  // in radii of the beam
-    std::vector<double> squares;                                              // of the distance to its middle
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t row = 0; row < mask->rows; ++row) {
-        for (std::uint32_t column = 0; column < mask->columns; ++column) {
-            const dvec2 place =
-                pixel * dvec2(column - 0.5 * (mask->columns - 1.0), row - 0.5 * (mask->rows - 1.0));
-            if (mask->transmission[squares.size()] > 0.0F)
-                nearest = std::min(nearest, glm::dot(place, place));
-            squares.push_back(glm::dot(place, place));
-        }
+    void operator()(const optics::LatticeAperture& lattice) const {
+        std::visit(*this, lattice.cell);
+        packed.isLattice = 1;
+        packed.first_um = highAndLow(1e6 * lattice.first);
+        packed.second_um = highAndLow(1e6 * lattice.second);
+        packed.counts = {toFloat(lattice.firstCount), toFloat(lattice.secondCount)};
     }
-    for (std::size_t i = 0; i < squares.size(); ++i)
-        mask->transmission[i] *= toFloat(std::exp(nearest - squares[i]));
-    return aperture;
-}
-
-device::vec4 highAndLow(dvec2 value) {
-    const device::vec2 high(value);
-    const dvec2 low = value - dvec2(high);
-    return {high.x, high.y, toFloat(low.x), toFloat(low.y)};
-}
-
-void packLattice(const optics::LatticeAperture& lattice, device::OpeningGrating& packed) {
-    packed.isLattice = 1;
-    packed.first_um = highAndLow(1e6 * lattice.first);
-    packed.second_um = highAndLow(1e6 * lattice.second);
-    packed.counts = {toFloat(lattice.firstCount), toFloat(lattice.secondCount)};
-}
+    // Slits have a record of their own; a mask is its table.
+    void operator()(const optics::Slits&) const {}
+    void operator()(const optics::MaskAperture&) const {}
+};
 
 // From which on it is taken, at 550 nm: the far field is off by 3e-4 of its peak there at 380 nm.
 constexpr double kLeastFresnelNumber = 0.012;
@@ -238,33 +218,29 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     packed.convergence = beam.focus ? toFloat(1.0 / (*beam.focus / m)) : 0.0F;
 
     // The opening, and what its pattern needs.
-    const optics::Aperture aperture = litAperture(grating);
-    const double area = optics::area(aperture);
-    double peak = area * area;
-    const OpeningTables shape = openingTables(aperture, incoming, tables.memo());
+    const optics::Aperture& aperture = grating.aperture;
+    const OpeningTables shape =
+        openingTables(aperture, profileAcross(grating, fresnelNumber), incoming, tables.memo());
     const double cellExtent = openingExtent(aperture);
-    if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture)) {
+    double area = 0.0, peak = 0.0;
+    if (shape.mask) {
         const optics::MaskSpectrum& maskSpectrum = shape.mask->spectrum;
+        area = maskSpectrum.area();
         peak = maskSpectrum.peak();
         packed.opening = device::MASK_OPENING;
         packed.size_um = {toFloat(maskSpectrum.columns()), toFloat(maskSpectrum.rows())};
-        packed.pixel_um = toFloat(mask->pixel / um);
-        packed.extent_um = toFloat(1e6 * cellExtent);
+        packed.pixel_um = device::vec2(1e6 * maskSpectrum.pixel());
+        packed.extent = toFloat(maskSpectrum.pixelsAcross());
+        packed.hasHats = maskSpectrum.hasHats() ? 1U : 0U;
         packed.table = count(values.size());
         values.insert(values.end(), shape.mask->levels.begin(), shape.mask->levels.end());
-    } else if (const auto* lattice = std::get_if<optics::LatticeAperture>(&aperture)) {
-        std::visit(OpeningPacker{packed, values}, lattice->cell);
-        packLattice(*lattice, packed);
     } else {
-        std::visit(
-            [&](const auto& opening) {
-                if constexpr (requires { OpeningPacker{packed, values}(opening); })
-                    OpeningPacker{packed, values}(opening);
-            },
-            aperture);
+        area = optics::area(aperture);
+        peak = area * area;
+        std::visit(OpeningPacker{packed, values}, aperture);
     }
     assert(std::isfinite(cellExtent));
-    packed.isNear = hasNearField(aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
+    packed.isNear = !shape.mask && hasNearField(aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
 
     if (!spectrum.density.empty()) shape.shares->findAll();
     const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, *shape.shares, tables};

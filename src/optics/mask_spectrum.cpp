@@ -12,11 +12,11 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "optics/integrals.hpp"
 #include "optics/shares.hpp"
-#include "optics/transform.hpp"
 
 namespace fringe::optics {
 namespace {
@@ -71,11 +71,11 @@ private:
 };
 
 // Twice the mask holds its autocorrelation, at all lags from -(pixels - 1) to pixels - 1.
-Grid autocorrelation(const MaskAperture& mask) {
+Grid autocorrelation(const AmplitudeGrid& mask) {
     Grid grid(2 * mask.columns, 2 * mask.rows);
     for (std::uint32_t row = 0; row < mask.rows; ++row)
         for (std::uint32_t column = 0; column < mask.columns; ++column)
-            grid.real(column, row) = mask.transmission[std::size_t{row} * mask.columns + column];
+            grid.real(column, row) = mask.amplitudes[std::size_t{row} * mask.columns + column];
     grid.transform();
     for (std::size_t i = 0; i < grid.complexCount(); ++i)
         grid.complexNumbers()[i] = std::norm(grid.complexNumbers()[i]);
@@ -96,7 +96,7 @@ std::vector<float> lagWeights(std::uint32_t lags, std::uint32_t size, double wid
 }
 
 // The table of the lags' weighted autocorrelation, of the size that `level` has.
-std::vector<float> weightedTransform(Grid& lags, const MaskAperture& mask, const MaskSpectrum::Level& level,
+std::vector<float> weightedTransform(Grid& lags, const AmplitudeGrid& mask, const MaskSpectrum::Level& level,
                                      std::span<const float> acrossWeights, std::span<const float> downWeights,
                                      float scale) {
     Grid table(level.columns, level.rows);
@@ -127,28 +127,19 @@ std::array<double, 4> splineWeights(double t) {
 
 }  // namespace
 
-MaskSpectrum::MaskSpectrum(const MaskAperture& mask)
-    : extent_(mask.columns * (mask.pixel / m), mask.rows * (mask.pixel / m)),
-      pixel_(mask.pixel / m),
-      peak_(std::norm(transform(mask, dvec2(0.0)))),
-      area_(area(mask)),
-      edgesAcross_(0.0) {
+MaskSpectrum::MaskSpectrum(const AmplitudeGrid& mask)
+    : extent_(dvec2(mask.columns, mask.rows) * mask.pixel),
+      pixel_(mask.pixel),
+      peak_(std::pow(
+          std::accumulate(mask.amplitudes.begin(), mask.amplitudes.end(), 0.0) * (pixel_.x * pixel_.y), 2)),
+      area_(mask.area),
+      edges_(mask.edges),
+      hasHats_(mask.hasHats) {
     assert(peak_ > 0.0);
-    const auto at = [&](std::int64_t column, std::int64_t row) {
-        const bool isInside = column >= 0 && column < mask.columns && row >= 0 && row < mask.rows;
-        return isInside ? double(mask.transmission[static_cast<std::size_t>(row * mask.columns + column)])
-                        : 0.0;
-    };
-    for (std::int64_t row = 0; row <= mask.rows; ++row) {
-        for (std::int64_t column = 0; column <= mask.columns; ++column) {
-            edgesAcross_.x += pixel_ * std::pow(at(column, row) - at(column - 1, row), 2);
-            edgesAcross_.y += pixel_ * std::pow(at(column, row) - at(column, row - 1), 2);
-        }
-    }
 
     // FFTW's round trip multiplies by the number of points.
     const double pixels = 4.0 * mask.columns * mask.rows;
-    const auto scale = static_cast<float>(std::pow(pixel_, 4) / (pixels * peak_));
+    const auto scale = static_cast<float>(std::pow(pixel_.x * pixel_.y, 2) / (pixels * peak_));
     Grid lags = autocorrelation(mask);
     const std::uint32_t columns = tableSize(mask.columns), rows = tableSize(mask.rows);
     for (std::uint32_t size = std::max(columns, rows); size > 1; size /= 2) {
@@ -175,13 +166,13 @@ double MaskSpectrum::coefficient(std::int64_t i, std::int64_t j) const {
 }
 
 double MaskSpectrum::pixelFactor(dvec2 f_per_m) const {
-    const double factor = sinc(pixel_ * f_per_m.x) * sinc(pixel_ * f_per_m.y);
-    return factor * factor;
+    const double factor = sinc(pixel_.x * f_per_m.x) * sinc(pixel_.y * f_per_m.y);
+    return std::pow(factor, hasHats_ ? 4 : 2);
 }
 
 // The mask's rows run down while y runs up, so the row of frequencies is -y.
 double MaskSpectrum::relativePower(dvec2 f_per_m) const {
-    const double x = f_per_m.x * pixel_ * columns(), y = -f_per_m.y * pixel_ * rows();
+    const double x = f_per_m.x * pixel_.x * columns(), y = -f_per_m.y * pixel_.y * rows();
     const double left = std::floor(x), up = std::floor(y);
     const std::array<double, 4> across = splineWeights(x - left), down = splineWeights(y - up);
     const auto column = static_cast<std::int64_t>(left) - 1, row = static_cast<std::int64_t>(up) - 1;
@@ -196,16 +187,19 @@ double MaskSpectrum::relativePower(dvec2 f_per_m) const {
 // See edgesBeyond() of polygon_share.cpp.
 double MaskSpectrum::evanescentEdges(double wavelength, dvec2 incident) const {
     const Incidence in{wavelength, incident};
-    const auto perReach = [&](dvec2 normal) { return 1.0 / reach(in, normal) + 1.0 / reach(in, -normal); };
-    return wavelength / (4.0 * pi * pi * area_) *
-           (edgesAcross_.x * perReach({1.0, 0.0}) + edgesAcross_.y * perReach({0.0, 1.0}));
+    double sum = 0.0;
+    for (const Edge& edge : edges_)
+        sum += edge.weight * (1.0 / reach(in, edge.normal) + 1.0 / reach(in, -edge.normal));
+    return wavelength / (4.0 * pi * pi * area_) * sum;
 }
 
 double MaskSpectrum::propagatingShare(units::Length wavelength, double alphaIn, double betaIn) const {
     constexpr double kWide = 200.0;  // wavelengths; beyond, the sum takes longer than a frame
     const dvec2 incident(alphaIn, betaIn);
     const double wave = wavelength / m;
-    if (std::max(extent_.x, extent_.y) > kWide * wave) return 1.0 - evanescentEdges(wave, incident);
+    const bool repeats = hasHats_ && std::max(pixel_.x, pixel_.y) > 0.25 * wave;
+    if (std::max(extent_.x, extent_.y) > kWide * wave || repeats)
+        return 1.0 - evanescentEdges(wave, incident);
 
     // |A|^2 is band-limited: its integral over the plane is the sum over this grid. A point near the edge of
     // what propagates counts by how much of its surroundings does.
@@ -230,7 +224,7 @@ double MaskSpectrum::propagatingShare(units::Length wavelength, double alphaIn, 
 }
 
 double shareOf(const MaskAperture& mask, const Incidence& in) {
-    return MaskSpectrum(mask).propagatingShare(in.wavelength * m, in.direction.x, in.direction.y);
+    return MaskSpectrum(gridOf(mask)).propagatingShare(in.wavelength * m, in.direction.x, in.direction.y);
 }
 
 }  // namespace fringe::optics

@@ -1,12 +1,14 @@
-// The far field of a mask: |A|^2 on a fine grid of frequencies, which serves every wavelength.
+// The far field of a mask, or of an opening on a grid of pixels: |A|^2 on a fine grid of frequencies, which
+// serves every wavelength.
 #pragma once
 
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
-#include "optics/aperture.hpp"
+#include "optics/amplitude_grid.hpp"
 
 namespace fringe::optics {
 
@@ -19,7 +21,7 @@ namespace fringe::optics {
 class MaskSpectrum {
 public:
     // Takes the time of two fast Fourier transforms of the table's size. The mask may not be all opaque.
-    explicit MaskSpectrum(const MaskAperture& mask);
+    explicit MaskSpectrum(const AmplitudeGrid& mask);
 
     // Relative to the peak; `f_per_m` as in transform().
     double relativePower(glm::dvec2 f_per_m) const;
@@ -27,8 +29,18 @@ public:
     // |A(0)|^2 in m^4.
     double peak() const { return peak_; }
 
+    // m^2: integral of the squared amplitude.
+    double area() const { return area_; }
+
+    // Width and height of a pixel in metres, whether it is a hat, and how many there are from corner to
+    // corner.
+    glm::dvec2 pixel() const { return pixel_; }
+    bool hasHats() const { return hasHats_; }
+    double pixelsAcross() const { return glm::length(extent_ / pixel_); }
+
     // As propagatingShare(). Error 1e-4 from 5 to 200 wavelengths across and 1e-3 below; of wider masks what
-    // is evanescent (below 1e-2) is known to a fourth.
+    // is evanescent (below 1e-2) is known to a fourth. Where the pixels are hats
+    // and wider than a quarter of a wavelength its edges give the share.
     double propagatingShare(units::Length wavelength, double alphaIn, double betaIn) const;
 
     // Coefficient of the B-spline at frequency (i/columns, j/rows)/pixel: values()[j * (columns/2 + 1) + i]
@@ -54,11 +66,12 @@ private:
     double pixelFactor(glm::dvec2 f_per_m) const;
     double evanescentEdges(double wavelength, glm::dvec2 incident) const;
 
-    glm::dvec2 extent_;       // of the mask, metres
-    double pixel_;            // metres
-    double peak_;             // m^4
-    double area_;             // m^2, integral of the squared transmission
-    glm::dvec2 edgesAcross_;  // metres: length of the edges whose normal is x or y, times the squared step
+    glm::dvec2 extent_;  // of the mask, metres
+    glm::dvec2 pixel_;   // metres
+    double peak_;        // m^4
+    double area_;        // m^2
+    std::vector<Edge> edges_;
+    bool hasHats_;
     std::vector<Level> levels_;
 };
 

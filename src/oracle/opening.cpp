@@ -92,12 +92,19 @@ Complex row(std::uint32_t count, double turnsPerStep) {
     return sum;
 }
 
+// A panel sees three quarters of a Gaussian beam's radius, over which the rule has its amplitude to 1e-15.
+double turnsAcross(const scene::Beam& beam) {
+    return beam.profile == scene::BeamProfile::gaussian ? 4.0 / beam.width.si : 0.0;
+}
+
 double chordPower(const std::vector<Chord>& chords, const dvec2& middle, const scene::Beam& beam) {
     double power = 0.0;
     for (const Chord& chord : chords) {
-        forNodes(chord.low, chord.high, 1, [&](double y, double weight) {
-            power += chord.weight * weight * relativeIrradiance(beam, middle.x + chord.x, middle.y + y);
-        });
+        forNodes(chord.low, chord.high, panels(chord.high - chord.low, turnsAcross(beam)),
+                 [&](double y, double weight) {
+                     power +=
+                         chord.weight * weight * relativeIrradiance(beam, middle.x + chord.x, middle.y + y);
+                 });
     }
     return power;
 }
@@ -154,7 +161,7 @@ double openArea(const OpeningShape& shape, const scene::Beam& beam) {
         }
         return sum * mask->pixel.si * mask->pixel.si;
     }
-    const std::vector<Chord> strips = chords(shape, 0.0);
+    const std::vector<Chord> strips = chords(shape, turnsAcross(beam));
     for (const dvec2& middle : places(shape)) sum += chordPower(strips, middle, beam);
     return sum;
 }
@@ -178,6 +185,11 @@ double extent(const OpeningShape& shape) {
 Opening::Opening(const OpeningShape& shape, double turnsPerMetre)
     : shape_(shape), turnsPerMetre_(turnsPerMetre), chords_(chords(shape, turnsPerMetre)) {}
 
+Opening::Opening(const OpeningShape& shape, double turnsPerMetre, const scene::Beam& beam)
+    : Opening(shape, turnsPerMetre + turnsAcross(beam)) {
+    if (beam.profile == scene::BeamProfile::gaussian) gaussian_ = beam;
+}
+
 void Opening::forPoints(const std::function<void(const dvec2&, double)>& use) const {
     if (const auto* mask = std::get_if<optics::MaskAperture>(&shape_)) {
         const double half = 0.5 * mask->pixel.si;
@@ -199,7 +211,10 @@ void Opening::forPoints(const std::function<void(const dvec2&, double)>& use) co
         for (const auto& [x, low, high, weight] : chords_) {
             forNodes(low, high, panels(high - low, turnsPerMetre_),
                      [&, x = x, weight = weight](double y, double yWeight) {
-                         use(middle + dvec2(x, y), weight * yWeight);
+                         const dvec2 r = middle + dvec2(x, y);
+                         const double lit =
+                             gaussian_ ? std::sqrt(relativeIrradiance(*gaussian_, r.x, r.y)) : 1.0;
+                         use(r, weight * yWeight * lit);
                      });
         }
     }
@@ -208,6 +223,12 @@ void Opening::forPoints(const std::function<void(const dvec2&, double)>& use) co
 Complex Opening::amplitude(const dvec2& f) const {
     if (const auto* mask = std::get_if<optics::MaskAperture>(&shape_)) return maskAmplitude(*mask, f);
     Complex sum = 0.0;
+    if (gaussian_) {
+        forPoints([&](const dvec2& r, double weight) {
+            sum += weight * std::polar(1.0, -2.0 * pi * glm::dot(f, r));
+        });
+        return sum;
+    }
     for (const auto& [x, low, high, weight] : chords_) {
         const double length = high - low;
         const double turns = f.x * x + 0.5 * f.y * (low + high);

@@ -4,6 +4,7 @@
 #include <complex>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -40,10 +41,13 @@ double openArea(const OpeningShape& shape, const scene::Beam& beam);
 double extent(const OpeningShape& shape);
 double cellExtent(const OpeningShape& shape);
 
-// Sums of waves over the area that turn up to `turnsPerMetre` times per metre.
+// Sums of waves over the area that turn up to `turnsPerMetre` times per metre, each with the amplitude that
+// the beam has there, over that at its middle, where its profile is a Gaussian. (A mask takes it up itself,
+// see OpeningWave.)
 class Opening {
 public:
     Opening(const OpeningShape& shape, double turnsPerMetre);
+    Opening(const OpeningShape& shape, double turnsPerMetre, const scene::Beam& beam);
 
     // Of exp(-2 pi i f.r). Square metres.
     std::complex<double> amplitude(const glm::dvec2& turnsPerMetre) const;
@@ -56,6 +60,7 @@ private:
 
     OpeningShape shape_;
     double turnsPerMetre_;
+    std::optional<scene::Beam> gaussian_;
     std::vector<Chord> chords_;
 };
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "oracle/beam.hpp"
 #include "oracle/quadrature.hpp"
 
 namespace fringe::oracle {
@@ -16,9 +17,10 @@ using std::numbers::pi;
 constexpr double kLargest_wavelengths = 12.0;
 
 // Polar coordinates about the normal, two panels of radius and 16 angles for each wavelength of the extent.
-double overAllDirections(const OpeningShape& shape, double wavelength, const dvec2& incident) {
+double overAllDirections(const OpeningShape& shape, const scene::Beam& beam, double wavelength,
+                         const dvec2& incident) {
     const double size = extent(shape) / wavelength;
-    const Opening opening(shape, (1.0 + glm::length(incident)) / wavelength);
+    const Opening opening(shape, (1.0 + glm::length(incident)) / wavelength, beam);
     const auto panels = static_cast<std::size_t>(std::ceil(2.0 * size)) + 1;
     const int angles = 32 + 16 * static_cast<int>(std::ceil(size));
     double sum = 0.0;
@@ -30,41 +32,47 @@ double overAllDirections(const OpeningShape& shape, double wavelength, const dve
                    std::norm(opening.amplitude((direction - incident) / wavelength));
         }
     });
-    return sum / (wavelength * wavelength * openArea(shape));
+    return sum / (wavelength * wavelength * openArea(shape, beam));
 }
 
 // A straight piece of an outline, and the square of the step in amplitude across it.
 struct Edge {
     dvec2 along;
     double step;
+    dvec2 middle;
 };
 
-std::vector<Edge> edges(const optics::RectangularAperture& rectangle) {
-    return {{{2.0 * rectangle.width.si, 0.0}, 1.0}, {{0.0, 2.0 * rectangle.height.si}, 1.0}};
-}
-
-std::vector<Edge> edges(const optics::CircularAperture& circle) {
+// As many pieces that a beam is even along each.
+void addPieces(const dvec2& from, const dvec2& to, std::vector<Edge>& edges) {
     constexpr int kPieces = 64;
-    std::vector<Edge> result;
-    for (int i = 0; i < kPieces; ++i) {
-        const double angle = 2.0 * pi * i / kPieces;
-        const double length = pi * (circle.diameter.si + circle.innerDiameter.si) / kPieces;
-        result.push_back({length * dvec2(std::cos(angle), std::sin(angle)), 1.0});
-    }
-    return result;
+    const dvec2 piece = (to - from) / static_cast<double>(kPieces);
+    for (int i = 0; i < kPieces; ++i) edges.push_back({piece, 1.0, from + (i + 0.5) * piece});
 }
 
 std::vector<Edge> edges(const optics::PolygonalAperture& polygon) {
     std::vector<Edge> result;
     const auto& vertices = polygon.vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        result.push_back({vertices[(i + 1) % vertices.size()] - vertices[i], 1.0});
+        addPieces(vertices[i], vertices[(i + 1) % vertices.size()], result);
     return result;
 }
 
-std::vector<Edge> edges(const optics::LatticeAperture& lattice) {
-    std::vector<Edge> result = std::visit([](const auto& cell) { return edges(cell); }, lattice.cell);
-    for (Edge& edge : result) edge.along *= 1.0 * lattice.firstCount * lattice.secondCount;
+std::vector<Edge> edges(const optics::RectangularAperture& rectangle) {
+    const dvec2 half = 0.5 * dvec2(rectangle.width.si, rectangle.height.si);
+    return edges(optics::PolygonalAperture{{-half, {half.x, -half.y}, half, {-half.x, half.y}}});
+}
+
+std::vector<Edge> edges(const optics::CircularAperture& circle) {
+    constexpr int kPieces = 64;
+    std::vector<Edge> result;
+    for (const double diameter : {circle.diameter.si, circle.innerDiameter.si}) {
+        for (int i = 0; i < kPieces; ++i) {
+            const double angle = 2.0 * pi * i / kPieces;
+            const dvec2 outwards(std::cos(angle), std::sin(angle));
+            result.push_back(
+                {pi * diameter / kPieces * dvec2(-outwards.y, outwards.x), 1.0, 0.5 * diameter * outwards});
+        }
+    }
     return result;
 }
 
@@ -81,22 +89,29 @@ std::vector<Edge> edges(const optics::MaskAperture& mask) {
             level += std::pow(at(column, row) - at(column, row - 1), 2);
         }
     }
-    return {{{0.0, mask.pixel.si}, upright}, {{mask.pixel.si, 0.0}, level}};
+    return {{{0.0, mask.pixel.si}, upright, dvec2(0.0)}, {{mask.pixel.si, 0.0}, level, dvec2(0.0)}};
 }
 
 // Across an edge the amplitude falls off as step / (2 pi frequency). What lies beyond the horizon, on both
 // sides of the incident direction, adds up to step^2 length wavelength conical / (2 pi^2 gamma^2).
-double fromEdges(const OpeningShape& shape, double wavelength, const dvec2& incident) {
+double fromEdges(const OpeningShape& shape, const scene::Beam& beam, double wavelength,
+                 const dvec2& incident) {
     const double gammaSquared = 1.0 - glm::dot(incident, incident);
     double missing = 0.0;
-    for (const auto& [along, step] : std::visit([](const auto& s) { return edges(s); }, shape)) {
+    const auto ofShape = [](const auto& s) {
+        if constexpr (requires { edges(s); }) return edges(s);
+        else return std::vector<Edge>();
+    };
+    for (const auto& [along, step, middle] : std::visit(ofShape, shape)) {
         const double length = glm::length(along);
         if (length == 0.0) continue;
         const double alongEdge = glm::dot(incident, along) / length;
         const double conical = std::sqrt(1.0 - alongEdge * alongEdge);
-        missing += step * length * wavelength * conical / (2.0 * pi * pi * gammaSquared);
+        const double lit =
+            beam.profile == scene::BeamProfile::gaussian ? relativeIrradiance(beam, middle.x, middle.y) : 1.0;
+        missing += step * lit * length * wavelength * conical / (2.0 * pi * pi * gammaSquared);
     }
-    return 1.0 - missing / openArea(shape);
+    return 1.0 - missing / openArea(shape, beam);
 }
 
 // An endless lattice sends all light into its orders, each with the share that its cell gives it.
@@ -153,12 +168,26 @@ bool isEndless(const OpeningShape& shape, double wavelength) {
 }
 
 double propagatingShare(const OpeningShape& shape, double wavelength, const dvec2& incident) {
+    scene::Beam even{};
+    even.profile = scene::BeamProfile::flat;
+    return propagatingShare(shape, even, wavelength, incident);
+}
+
+double propagatingShare(const OpeningShape& shape, const scene::Beam& beam, double wavelength,
+                        const dvec2& incident) {
     if (isEndless(shape, wavelength))
         return overOrders(std::get<optics::LatticeAperture>(shape), wavelength, incident);
     const OpeningShape judged = reduced(shape, wavelength);
     if (extent(judged) <= 1.05 * kLargest_wavelengths * wavelength)
-        return overAllDirections(judged, wavelength, incident);
-    return fromEdges(judged, wavelength, incident);
+        return overAllDirections(judged, beam, wavelength, incident);
+    // What a cell's edges keep back of the cell's light is the same in all.
+    if (const auto* lattice = std::get_if<optics::LatticeAperture>(&judged)) {
+        const OpeningShape cell = std::visit([](const auto& c) -> OpeningShape { return c; }, lattice->cell);
+        scene::Beam even{};
+        even.profile = scene::BeamProfile::flat;
+        return fromEdges(cell, even, wavelength, incident);
+    }
+    return fromEdges(judged, beam, wavelength, incident);
 }
 
 }  // namespace fringe::oracle

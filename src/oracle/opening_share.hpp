@@ -13,6 +13,11 @@ namespace fringe::oracle {
 // times the share of the orders at the horizon.
 double propagatingShare(const OpeningShape& shape, double wavelength, const glm::dvec2& incident);
 
+// The same where a Gaussian beam lights the opening unevenly. (A mask takes the beam up itself, see
+// OpeningWave.)
+double propagatingShare(const OpeningShape& shape, const scene::Beam& beam, double wavelength,
+                        const glm::dvec2& incident);
+
 // Whether it is a lattice that is taken as endless; the share then jumps with the wavelength wherever an
 // order passes off.
 bool isEndless(const OpeningShape& shape, double wavelength);

@@ -14,7 +14,7 @@ namespace {
 // Below this Fresnel number of the whole the far field is right to 1e-5.
 constexpr double kLeastFresnelNumber = 2e-3;
 
-// A mask's pixels each with the amplitude that the beam has there; other openings are lit evenly.
+// A mask's pixels each with the amplitude that the beam has there. (Other openings: see Opening.)
 OpeningShape inBeam(OpeningShape shape, const scene::Beam& beam) {
     auto* mask = std::get_if<optics::MaskAperture>(&shape);
     if (mask == nullptr) return shape;
@@ -28,11 +28,18 @@ OpeningShape inBeam(OpeningShape shape, const scene::Beam& beam) {
     return shape;
 }
 
+// The beam's profile for what does not take it up itself.
+scene::Beam profileFor(const OpeningShape& shape, scene::Beam beam) {
+    if (std::holds_alternative<optics::MaskAperture>(shape)) beam.profile = scene::BeamProfile::flat;
+    return beam;
+}
+
 }  // namespace
 
 OpeningWave::OpeningWave(const scene::Grating& grating, const OpeningShape& shape)
     : shape_(inBeam(shape, grating.beam)),
-      area_(openArea(shape_)),
+      beam_(profileFor(shape, grating.beam)),
+      area_(openArea(shape_, beam_)),
       extent_(oracle::extent(shape)),
       power_(grating.efficiency ? *grating.efficiency
                                 : peakIrradiance(grating.beam) * openArea(shape, grating.beam)) {
@@ -52,8 +59,10 @@ OpeningWave::View OpeningWave::view(const glm::dvec3& offset, const glm::dvec3& 
     if (facing <= 0.0) return view;
     constexpr double kShortest = 1e-9 * kFirst_nm;
     const double steepest = glm::length(view.turn) + 0.5 * extent_ * view.curvature;
-    view.opening.emplace(shape_, steepest / kShortest);
-    if (0.25 * extent_ * extent_ * view.curvature < kLeastFresnelNumber * kShortest) return view;
+    view.opening.emplace(shape_, steepest / kShortest, beam_);
+    // Points of an uneven beam are many, and their ways need be found but once.
+    const bool isEven = beam_.profile != scene::BeamProfile::gaussian;
+    if (isEven && 0.25 * extent_ * extent_ * view.curvature < kLeastFresnelNumber * kShortest) return view;
     const glm::dvec3 axis(incident, std::sqrt(1.0 - glm::dot(incident, incident)));
     view.ways.emplace(kShortest);
     view.opening->forPoints(
@@ -76,7 +85,7 @@ double OpeningWave::irradiance(const View& view, double wavelength) const {
 }
 
 double OpeningWave::propagatingShare(double wavelength, const glm::dvec2& incident) const {
-    return oracle::propagatingShare(shape_, wavelength, incident);
+    return oracle::propagatingShare(shape_, beam_, wavelength, incident);
 }
 
 double OpeningWave::spread(const View& view) const {

@@ -17,7 +17,7 @@ public:
 
     struct View {
         std::optional<Opening> opening;  // nothing where no light gets
-        std::optional<Ways> ways;        // in the near field
+        std::optional<Ways> ways;        // in the near field, and in an uneven beam
         glm::dvec2 turn;                 // change of the direction cosines
         double geometry;                 // 1 / m^2: obliquity, cosine and inverse square
         double curvature;                // 1 / m: of the phase across the opening
@@ -38,6 +38,7 @@ private:
     double wayPast(const glm::dvec2& r, const glm::dvec3& offset, const glm::dvec3& incident) const;
 
     OpeningShape shape_;
+    scene::Beam beam_;
     std::optional<double> focus_;  // metres
     double area_;
     double extent_;

@@ -178,7 +178,7 @@ TEST(OpeningShare, OfALatticeOfSlotsIsThatOfSlits) {
 
 // On the axis of a circle in even light the sum of waves over rings of equal ways has a primitive.
 TEST(OpeningWave, OnTheAxisOfACircleIsAsTheIntegralOverTheWays) {
-    scene::Grating grating;
+    scene::Grating grating{};
     const optics::CircularAperture circle{6.0 * mm, 0.0 * mm};
     grating.efficiency = 1.0;
     const OpeningWave wave(grating, circle);

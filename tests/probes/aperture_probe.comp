@@ -55,8 +55,9 @@ float pattern(vec2 uv) {
     if (PATTERN == 8u) return symmetricPattern(uv);
     if (PATTERN == 9u) return evenSymmetricPattern(uv);
     if (PATTERN == 7u) {
-        vec2 frequency = uv * parameters[0] * parameters[3];
-        return maskPattern(frequency, 4u, pair(1u), SHARP_MASK) * slitFactor(frequency.x) * slitFactor(frequency.y);
+        vec2 frequency = uv * parameters[0] * pair(3u);
+        return maskPattern(frequency, 6u, pair(1u), SHARP_MASK) *
+               pow(slitFactor(frequency.x) * slitFactor(frequency.y), parameters[5]);
     }
     float first = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(1u), pair(3u)))), parameters[9]);
     float second = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(5u), pair(7u)))), parameters[10]);

@@ -14,6 +14,7 @@
 #include "optics/shapes.hpp"
 #include "optics/transform.hpp"
 #include "oracle/opening.hpp"
+#include "oracle/quadrature.hpp"
 #include "probes/probe.hpp"
 
 namespace fringe::testing {
@@ -134,6 +135,18 @@ TEST(AperturesOnDevice, PolygonsThatAreNotConvex) {
     comparePolygon({{-10.0, -0.5}, {10.0, -0.5}, {10.0, 0.5}, {-10.0, 0.5}}, 0.6, 1e-5, true);
 }
 
+std::vector<float> maskParameters(float perWavelength_um, const compile::MaskTables& tables) {
+    const optics::MaskSpectrum& spectrum = tables.spectrum;
+    std::vector<float> parameters{perWavelength_um,
+                                  static_cast<float>(spectrum.columns()),
+                                  static_cast<float>(spectrum.rows()),
+                                  static_cast<float>(1e6 * spectrum.pixel().x),
+                                  static_cast<float>(1e6 * spectrum.pixel().y),
+                                  spectrum.hasHats() ? 2.0F : 1.0F};
+    parameters.insert(parameters.end(), tables.levels.begin(), tables.levels.end());
+    return parameters;
+}
+
 // A picture of noise; its table's own error, 5e-4 at most, is tested with the table (tests/optics): here the
 // host's interpolation in it is what the device is to repeat. Coefficients of 1e-3 and less err by 1e-7 of
 // the peak; a float's frequency is 2e-4 of a step off at the table's far end.
@@ -142,15 +155,87 @@ TEST(AperturesOnDevice, Mask) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
     for (std::uint32_t i = 0; i < mask.columns * mask.rows; ++i) mask.transmission.push_back(uniform(random));
-    const auto [spectrum, levels] = compile::tablesOf(mask);
-    std::vector<float> parameters{1.0F / 0.55F, static_cast<float>(spectrum.columns()),
-                                  static_cast<float>(spectrum.rows()), static_cast<float>(mask.pixel / um)};
-    parameters.insert(parameters.end(), levels.begin(), levels.end());
+    const compile::MaskTables tables = compile::tablesOf(optics::gridOf(mask));
+    const std::vector<float> parameters = maskParameters(1.0F / 0.55F, tables);
     const std::vector<vec2> directions = directionsInTwoDimensions(12.0);
     std::vector<double> expected;
     for (const vec2& uv : directions)
-        expected.push_back(spectrum.relativePower(1e6 * double{parameters[0]} * dvec2(uv)));
+        expected.push_back(tables.spectrum.relativePower(1e6 * double{parameters[0]} * dvec2(uv)));
     expectNear(evaluate(Probe::mask, parameters, directions), expected, directions, 1e-5);
+}
+
+// In a Gaussian beam, within the directions that the table knows. `power`: relative to the peak, at a
+// frequency per metre; it is asked for one in `every` directions.
+template <class Power>
+void compareLit(const optics::Aperture& opening, units::Length beamWidth, std::size_t every,
+                const Power& power) {
+    const compile::MaskTables tables =
+        compile::tablesOf(optics::gaussianGrid(opening, beamWidth / m, compile::kPixelsAcross));
+    const float perWavelength_um = 1.0F / 0.55F;
+    std::vector<vec2> directions;
+    std::vector<double> expected;
+    for (const vec2& uv : directionsInTwoDimensions(30.0)) {
+        if (directions.size() * every > 10'000) break;
+        directions.push_back(uv);
+        expected.push_back(power(1e6 * double{perWavelength_um} * dvec2(uv)));
+    }
+    expectNear(evaluate(Probe::mask, maskParameters(perWavelength_um, tables), directions), expected,
+               directions, 1e-5);
+}
+
+// A cosine under a Gaussian of the 1/e^2 diameter `beam`, integrated along a side.
+double litSide(double side, double beam, double frequency) {
+    double sum = 0.0;
+    const auto panels = static_cast<std::size_t>(1.0 + std::abs(side * frequency) + 4.0 * side / beam);
+    oracle::forNodes(-0.5 * side, 0.5 * side, panels, [&](double x, double weight) {
+        sum += weight * std::exp(-4.0 * x * x / (beam * beam)) *
+               std::cos(2.0 * std::numbers::pi * frequency * x);
+    });
+    return sum;
+}
+
+// The same of a Bessel function along the radius.
+double litRadius(double from, double to, double beam, double frequency) {
+    double sum = 0.0;
+    const auto panels = static_cast<std::size_t>(1.0 + 2.0 * to * frequency + 8.0 * to / beam);
+    oracle::forNodes(from, to, panels, [&](double r, double weight) {
+        sum += weight * r * std::exp(-4.0 * r * r / (beam * beam)) *
+               ::j0(2.0 * std::numbers::pi * frequency * r);
+    });
+    return sum;
+}
+
+TEST(AperturesOnDevice, RectanglesAndRoundOpeningsInAGaussianBeam) {
+    for (const auto& [width, height, beam] :
+         {std::array{20e-6, 20e-6, 40e-6}, {30e-6, 4e-6, 20e-6}, {24e-6, 40e-6, 12e-6}}) {
+        const double peak = litSide(width, beam, 0.0) * litSide(height, beam, 0.0);
+        compareLit(optics::RectangularAperture{width * m, height * m}, beam * m, 1,
+                   [&, width = width, height = height, beam = beam](const dvec2& f) {
+                       return std::pow(litSide(width, beam, f.x) * litSide(height, beam, f.y) / peak, 2);
+                   });
+    }
+    for (const auto& [diameter, inner, beam] :
+         {std::array{20e-6, 0.0, 60e-6}, {20e-6, 0.0, 6e-6}, {40e-6, 0.0, 40e-6}, {20e-6, 10e-6, 15e-6}}) {
+        const double peak = litRadius(0.5 * inner, 0.5 * diameter, beam, 0.0);
+        compareLit(optics::CircularAperture{diameter * m, inner * m}, beam * m, 1,
+                   [&, diameter = diameter, inner = inner, beam = beam](const dvec2& f) {
+                       return std::pow(litRadius(0.5 * inner, 0.5 * diameter, beam, glm::length(f)) / peak,
+                                       2);
+                   });
+    }
+}
+
+TEST(AperturesOnDevice, PolygonsInAGaussianBeam) {
+    const PolygonalAperture hexagon{scaled(optics::regularPolygon(6, 1.0), 3e-6)};
+    for (const PolygonalAperture& polygon : {hexagon, PolygonalAperture{scaled(optics::ell(), 1.0)}}) {
+        scene::Beam beam{};
+        beam.profile = scene::BeamProfile::gaussian;
+        beam.width = beam.height = 5.0 * um;
+        const oracle::Opening opening(polygon, 2.0 / 0.55e-6, beam);
+        const double peak = std::norm(opening.amplitude(dvec2(0.0)));
+        compareLit(polygon, beam.width, 8,
+                   [&](const dvec2& f) { return std::norm(opening.amplitude(f)) / peak; });
+    }
 }
 
 TEST(AperturesOnDevice, Lattice) {

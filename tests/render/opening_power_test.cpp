@@ -123,6 +123,18 @@ TEST_P(OpeningsPower, OnDeviceIsTheBeamsInto) {
     }
 }
 
+// A circle lets 1 - exp(-2) of a Gaussian beam pass whose 1/e^2 diameter it has; in D65 as above.
+TEST(OpeningsOnDevice, PowerInAGaussianBeamIsTheBeamsInto) {
+    for (const char* spectrum : {R"("D65")", R"({ "type": "laser", "wavelength": "400 nm" })"}) {
+        const std::string beam =
+            fmt::format(R"("profile": "gaussian", "diameter": "3 um", "spectrum": {})", spectrum);
+        scene::Scene scene =
+            parsed({"", R"({ "type": "circle", "diameter": "3 um" })", beam.c_str(), kWhite, 1.0});
+        gratingOf(scene).position = {0, 0, 0};
+        EXPECT_NEAR(powerIntoBox(scene) / (1.0 - std::exp(-2.0)), 1.0, 1e-3) << spectrum;
+    }
+}
+
 // The last number is the open area in um^2.
 INSTANTIATE_TEST_SUITE_P(
     Kinds, OpeningsPower,

@@ -91,10 +91,12 @@ TEST(TableMemo, ChangesNoOpening) {
         [](scene::Scene& scene) { gratingOf(scene, 0).beam.power = 3.0 * units::W; },
         [](scene::Scene& scene) {
             std::get<optics::CircularAperture>(gratingOf(scene, 1).aperture).diameter = 35.0 * units::um;
+            gratingOf(scene, 1).beam.profile = scene::BeamProfile::gaussian;
         },
         [](scene::Scene& scene) {
             for (std::size_t i = 0; i < 8; ++i)
                 gratingOf(scene, i).beam.direction = {0.06, 0.08, -0.99498744};
+            gratingOf(scene, 1).beam.width = 40.0 * units::um;
         },
         [](scene::Scene& scene) {
             std::get<optics::MaskAperture>(gratingOf(scene, 7).aperture).transmission[300] = 0.5F;

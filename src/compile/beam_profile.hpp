@@ -1,0 +1,19 @@
+// Whether a Gaussian beam is uneven across an opening, and whether what is shown knows it.
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace fringe::compile {
+
+// By what share of that in the middle a Gaussian beam's irradiance is less at the opening's rim; 0 for other
+// beams.
+double fallToRim(const scene::Grating& grating);
+
+// The beam's 1/e^2 diameter in metres where its profile goes into the far field; nothing where the opening is
+// lit evenly: because it is so to 1e-3 of the pattern's peak, in the near field of openings of which that is
+// shown, and in lattices. `fresnelNumber`: at the nearest surface that it lights.
+std::optional<double> profileAcross(const scene::Grating& grating, double fresnelNumber);
+
+}  // namespace fringe::compile

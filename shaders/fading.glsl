@@ -1,5 +1,12 @@
 // What of the patterns of openings a sample can resolve, and what stands for the rest (docs/theory.md, "Wavelengths").
 
+// What a sample of a mask, or of a lattice's cells, averages over: the sides of its pixel, in turns from cell to cell at a
+// wavenumber of 1, and the step of the list; and the width of a Gaussian besides.
+struct CellBlur {
+    mat3x2 sides;
+    float source;
+};
+
 // How a pattern gives way to its mean where a sample cannot resolve it: fringes fade before they turn by half from one
 // wavenumber of the list to the next, or from a pixel to the next, and would come back as an alias.
 struct Fading {
@@ -11,8 +18,7 @@ struct Fading {
     float beat;          // the same between the two rims of a ring
     float kept;          // of the pattern: 1 but in the pixel that holds the middle
     vec2 core;           // what that pixel covers, in 1/area of the opening at a wavenumber of 1, and what it misses of it
-    mat3x2 blur;         // of a mask: maskBlur()
-    float sourceBlur;
+    CellBlur blur;       // of a mask
 };
 
 // Turns between two points of the opening, `apart_um` from each other: from one wavenumber of the list to the next, and
@@ -24,16 +30,19 @@ float fringeContrast(vec2 turns) { return (1.0 - smoothstep(0.3, 0.5, turns.x)) 
 
 // Pixels and the source blur as far as the finest fringes cannot be told apart; a step of the list likewise, whose line
 // then reaches from the middle between two wavenumbers to the next, so that no fringe adds up over the list.
-void blurMask(OpeningGrating g, OpeningView v, inout Fading fading) {
-    vec2 step_ = g.wavenumberStep * g.pixel_um * v.uv;
-    mat2 pixel = mat2(g.pixel_um * v.perPixel[0], g.pixel_um * v.perPixel[1]);
-    float source = g.sourceBlur * min(g.pixel_um.x, g.pixel_um.y);
-    float extent = MIDDLE_WAVENUMBER * g.extent;
+CellBlur cellBlur(OpeningGrating g, OpeningView v, mat2 cell_um, float extentInCells) {
+    vec2 step_ = g.wavenumberStep * v.uv * cell_um;
+    mat2 pixel = mat2(v.perPixel[0] * cell_um, v.perPixel[1] * cell_um);
+    float source = g.sourceBlur * min(length(cell_um[0]), length(cell_um[1]));
+    float extent = MIDDLE_WAVENUMBER * extentInCells;
     float perPixel = sqrt(dot(pixel[0], pixel[0]) + dot(pixel[1], pixel[1]));
     pixel *= sqrt(smoothstep(0.15, 0.6, extent * perPixel));
-    step_ *= sqrt(smoothstep(0.3, 0.6, g.extent * length(step_)));
-    fading.blur = mat3x2(pixel[0], pixel[1], step_);
-    fading.sourceBlur = source * sqrt(smoothstep(0.3, 0.6, extent * source) / 12.0);
+    step_ *= sqrt(smoothstep(0.3, 0.6, extentInCells * length(step_)));
+    return CellBlur(mat3x2(pixel[0], pixel[1], step_), source * sqrt(smoothstep(0.3, 0.6, extent * source) / 12.0));
+}
+MaskBlur blurAt(CellBlur blur, float wavenumber, float extentInCells, vec2 tableSize) {
+    mat3x2 sides = mat3x2(wavenumber * blur.sides[0], wavenumber * blur.sides[1], blur.sides[2]);
+    return maskBlur(sides, wavenumber * blur.source, extentInCells, tableSize);
 }
 
 // Of rectangles and a mask's pixels for either side, else of the widest points in the direction of the fringes.
@@ -47,7 +56,7 @@ Fading fadingOf(OpeningGrating g, uint opening, OpeningView v) {
         fading.contrast = vec2(fringeContrast(x), fringeContrast(y));
         fading.perPixel_um = vec2(x.y, y.y) / MIDDLE_WAVENUMBER;
         fading.perStep = vec2(x.x, y.x);
-        if (opening == MASK_OPENING) blurMask(g, v, fading);
+        if (opening == MASK_OPENING) fading.blur = cellBlur(g, v, mat2(g.pixel_um.x, 0.0, 0.0, g.pixel_um.y), g.extent);
         return fading;
     }
     bool isPolygon = opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING;
@@ -137,9 +146,7 @@ void findMeans(OpeningGrating g, uint opening, OpeningView v, inout Fading fadin
 
 float fadedMask(OpeningGrating g, Fading fading, vec2 f_per_um, float wavenumber) {
     vec2 x = f_per_um * g.pixel_um;
-    mat3x2 box = mat3x2(wavenumber * fading.blur[0], wavenumber * fading.blur[1], fading.blur[2]);
-    MaskBlur blur = maskBlur(box, wavenumber * fading.sourceBlur, g.extent, g.size_um);
     vec2 sides = sidePatterns(fading, MASK_OPENING, x, wavenumber);
     if (g.hasHats != 0u) sides *= sides;
-    return maskPattern(x, g.table, g.size_um, blur) * sides.x * sides.y;
+    return maskPattern(x, g.table, g.size_um, blurAt(fading.blur, wavenumber, g.extent, g.size_um)) * sides.x * sides.y;
 }

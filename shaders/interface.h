@@ -280,6 +280,7 @@ const uint RING_OPENING = 3u;
 const uint POLYGONAL_OPENING = 4u;
 const uint SYMMETRIC_OPENING = 5u;   // a polygon of at most 2 FEW_EDGES edges with a centre of symmetry
 const uint MASK_OPENING = 6u;
+const uint GAUSSIAN_OPENING = 7u;   // any that lets a Gaussian beam pass whole
 const uint FEW_EDGES = 8u;           // that an invocation keeps at hand
 
 // Any other opening in a beam, or a lattice of them; its frame is that of slits.
@@ -301,7 +302,14 @@ struct OpeningGrating {
     uint isNear;         // 1: a surface that it lights lies in its near field (shaders/near_openings.glsl)
     vec4 first_um;       // from cell to cell: (x, y) rounded, and what that leaves out
     vec4 second_um;
-    vec2 counts;         // of cells
+    vec2 counts;         // of cells, those that a beam lights
+    uint isUneven;       // 1: a Gaussian beam lights the lattice's cells (shaders/uneven_lattices.glsl)
+    float beamRadius_um;  // of a Gaussian beam: where its amplitude is 1/e
+    float imagePeak;     // of an order in the far field, were the lattice endless, over what it is
+    uint cells;          // in the tables: their spectrum, of this size; 0 where the lattice reaches past the beam
+    vec2 cellsSize;
+    vec2 cellsWidth;     // where it is: turns from an order, along either row, times this are 1 at the end of its main lobe
+    vec2 cellsFollow;    // and how far cells' patterns go with the order: 0 in even light to 1 in a beam that ends within it
     float wavenumberStep;  // of the continuous spectrum, per um
     float sourceBlur;    // direction cosine between neighbouring points of the source, or its size if it is one; 0 for no size
     uint samples;        // in the tables: wavenumber in 1/um and the source's direction; then, for each reflectance, XYZ

@@ -20,6 +20,8 @@ struct OpeningView {
 
 #include "fading.glsl"
 #include "near_openings.glsl"
+#include "beam_spots.glsl"
+#include "uneven_lattices.glsl"
 
 bool reachesOpening(OpeningGrating g, vec3 position) { return dot(position - g.position, g.normal) > 0.0; }
 
@@ -57,6 +59,7 @@ struct Lattice {
     LatticeRow first;
     LatticeRow second;
     float area;          // of a cell sheared so, over that of the rectangle
+    UnevenLattice uneven;
 };
 
 LatticeRow latticeRow(OpeningGrating g, OpeningView v, vec4 step_um, float count) {
@@ -75,6 +78,7 @@ LatticeRow latticeRow(OpeningGrating g, OpeningView v, vec4 step_um, float count
 
 Lattice latticeOf(OpeningGrating g, OpeningView v) {
     Lattice lattice;
+    if (HAS_UNEVEN_LATTICES != 0u) lattice.uneven = unevenLatticeOf(g, v);
     lattice.first = latticeRow(g, v, g.first_um, g.counts.x);
     lattice.second = latticeRow(g, v, g.second_um, g.counts.y);
     // Turns along a row that is not square to the other change along that other as well.
@@ -96,13 +100,30 @@ float rowFactor(LatticeRow row, vec2 past, float pastOther, float wavenumber) {
     return mix(fejer(past, row.count), inside / (wide * row.count), row.isMerged);
 }
 
-float latticeFactor(OpeningGrating g, Lattice lattice, vec2 shift, float wavenumber) {
+// Turns past the next order, along either row. `shift`: of the source.
+void pastOrder(OpeningGrating g, Lattice lattice, vec2 shift, float wavenumber, out vec2 past1, out vec2 past2) {
     vec2 way1 = lattice.first.way_um, way2 = lattice.second.way_um;
     if (HAS_WIDE_SOURCES != 0u) {
         way1.x -= dot(shift, g.first_um.xy);
         way2.x -= dot(shift, g.second_um.xy);
     }
-    vec2 past1 = turnsPastOrder(wavenumber, way1), past2 = turnsPastOrder(wavenumber, way2);
+    past1 = turnsPastOrder(wavenumber, way1);
+    past2 = turnsPastOrder(wavenumber, way2);
+}
+
+// The change of direction at which a cell's pattern is to be taken.
+vec2 cellDirection(OpeningGrating g, Lattice lattice, vec2 uv, vec2 shift, float wavenumber) {
+    if (HAS_UNEVEN_LATTICES == 0u || decided(g.isUneven) == 0u) return uv - shift;
+    vec2 past1, past2;
+    pastOrder(g, lattice, shift, wavenumber, past1, past2);
+    return uv - shift - cellShift(g, lattice.uneven, vec2(past1.x + past1.y, past2.x + past2.y), wavenumber);
+}
+
+float latticeFactor(OpeningGrating g, Lattice lattice, vec2 shift, float wavenumber) {
+    vec2 past1, past2;
+    pastOrder(g, lattice, shift, wavenumber, past1, past2);
+    if (HAS_UNEVEN_LATTICES != 0u && decided(g.isUneven) != 0u)
+        return unevenFactor(g, lattice.uneven, vec2(past1.x + past1.y, past2.x + past2.y), wavenumber);
     return lattice.area * rowFactor(lattice.first, past1, past2.x + past2.y, wavenumber) *
            rowFactor(lattice.second, past2, past1.x + past1.y, wavenumber);
 }
@@ -160,7 +181,9 @@ float patternAround(OpeningGrating g, uint opening, Outline outline, Fading fadi
 }
 
 // Relative to the peak. Means that are known hold that pixel's too.
-float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, OpeningView v, vec2 uv, float wavenumber) {
+float openingPattern(OpeningGrating g, uint opening, Outline outline, Fading fading, BeamSpot spot, OpeningView v, vec2 uv,
+                     float wavenumber) {
+    if (opening == GAUSSIAN_OPENING) return spotPattern(g, spot, uv, wavenumber);
     float pattern = patternAround(g, opening, outline, fading, v, uv, wavenumber);
     return knowsMeans(opening) ? pattern : mix(coreMeans(fading, vec3(wavenumber)).x, pattern, fading.kept);
 }
@@ -196,6 +219,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
     if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
     Fading fading = fadingOf(g, opening, v);
     findMeans(g, opening, v, fading);
+    BeamSpot spot;
+    if (opening == GAUSSIAN_OPENING) spot = beamSpotOf(g, v);
     bool isLattice = HAS_LATTICES != 0u && decided(g.isLattice) != 0u;
     Lattice lattice;
     if (HAS_LATTICES != 0u) lattice = latticeOf(g, v);
@@ -206,7 +231,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         if (EVEN_SAMPLES != 0u) sum = throughput.band[0] * evenPolygonSum(g, outline, fading, v.uv);
         [[unroll]] for (uint i = EVEN_SAMPLES; i < SAMPLES_AT_HAND; ++i) {
             OpeningSample sample_ = scene.openingSamples[i];
-            float pattern = openingPattern(g, opening, outline, fading, v, v.uv, sample_.wavenumber);
+            vec2 uv = cellDirection(g, lattice, v.uv, vec2(0.0), sample_.wavenumber);
+            float pattern = openingPattern(g, opening, outline, fading, spot, v, uv, sample_.wavenumber);
             if (isLattice) pattern *= latticeFactor(g, lattice, vec2(0.0), sample_.wavenumber);
             sum += pattern * throughputAt(1.0 / sample_.wavenumber) * sample_.color;
         }
@@ -223,7 +249,8 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
         if (HAS_NEAR_OPENINGS != 0u && opening <= RING_OPENING && decided(g.isNear) != 0u) {
             isNear = nearPattern(g, opening, near, fading, v.uv - shift, wavenumber, pattern);
         }
-        if (!isNear) pattern = openingPattern(g, opening, outline, fading, v, v.uv - shift, wavenumber);
+        vec2 uv = cellDirection(g, lattice, v.uv, shift, wavenumber);
+        if (!isNear) pattern = openingPattern(g, opening, outline, fading, spot, v, uv, wavenumber);
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(1.0 / wavenumber) * tableColor(colors + 3u * i);
     }
@@ -244,6 +271,7 @@ vec3 openingGratingValue(OpeningGrating g, vec3 offset, vec3 normal, vec3 view, 
     ADD_OPENING(POLYGONAL_OPENING, HAS_POLYGONAL_OPENINGS)
     ADD_OPENING(SYMMETRIC_OPENING, HAS_SYMMETRIC_OPENINGS)
     ADD_OPENING(MASK_OPENING, HAS_MASK_OPENINGS)
+    ADD_OPENING(GAUSSIAN_OPENING, HAS_GAUSSIAN_OPENINGS)
 #undef ADD_OPENING
     return v.geometry * sum;
 }

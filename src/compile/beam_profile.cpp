@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "compile/near_field.hpp"
+#include "compile/uneven_lattice.hpp"
+#include "optics/amplitude_grid.hpp"
 
 namespace fringe::compile {
 
@@ -12,14 +14,21 @@ double fallToRim(const scene::Grating& grating) {
     return 1.0 - std::exp(-2.0 * across * across);
 }
 
-std::optional<double> profileAcross(const scene::Grating& grating, double fresnelNumber) {
+std::optional<UnevenBeam> profileAcross(const scene::Grating& grating, double fresnelNumber) {
     constexpr double kEven = 0.01;
+    // Radii of the beam within which it has to be free to count as whole: beyond lie 1e-6 of its amplitude,
+    // and in a near field, of whose ripples none are known then, 1e-3.
+    constexpr double kFree = 3.7, kFreeNear = 2.6;
     if (grating.beam.profile != scene::BeamProfile::gaussian) return {};
     const double width = grating.beam.width / units::m;
-    if (std::holds_alternative<optics::MaskAperture>(grating.aperture)) return width;
-    if (std::holds_alternative<optics::LatticeAperture>(grating.aperture)) return {};
-    if (hasNearField(grating.aperture) && fresnelNumber > kFarFieldNumber) return {};
-    return fallToRim(grating) > kEven ? std::optional(width) : std::nullopt;
+    if (std::holds_alternative<optics::MaskAperture>(grating.aperture)) return UnevenBeam{width, false};
+    if (!(fallToRim(grating) > kEven)) return {};
+    if (const auto* lattice = std::get_if<optics::LatticeAperture>(&grating.aperture))
+        return litCells(*lattice, width) ? std::optional(UnevenBeam{width, false}) : std::nullopt;
+    const bool isNear = fresnelNumber > kFarFieldNumber;
+    const bool isWhole = optics::clearance(grating.aperture) >= 0.5 * width * (isNear ? kFreeNear : kFree);
+    if (isNear && hasNearField(grating.aperture) && !isWhole) return {};
+    return UnevenBeam{width, isWhole};
 }
 
 }  // namespace fringe::compile

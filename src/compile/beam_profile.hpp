@@ -11,9 +11,14 @@ namespace fringe::compile {
 // beams.
 double fallToRim(const scene::Grating& grating);
 
-// The beam's 1/e^2 diameter in metres where its profile goes into the far field; nothing where the opening is
-// lit evenly: because it is so to 1e-3 of the pattern's peak, in the near field of openings of which that is
-// shown, and in lattices. `fresnelNumber`: at the nearest surface that it lights.
-std::optional<double> profileAcross(const scene::Grating& grating, double fresnelNumber);
+struct UnevenBeam {
+    double width;  // the Gaussian beam's 1/e^2 diameter in metres
+    bool isWhole;  // all of it passes, and it is a Gaussian beam at any distance
+};
+
+// Of a beam whose profile goes into what is shown; nothing where the opening is lit evenly: because it is so
+// to 1e-3 of the pattern's peak, in the near field of openings of which that is shown, and in lattices of too
+// many cells (litCells()). `fresnelNumber`: at the nearest surface that it lights.
+std::optional<UnevenBeam> profileAcross(const scene::Grating& grating, double fresnelNumber);
 
 }  // namespace fringe::compile

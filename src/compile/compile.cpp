@@ -81,6 +81,7 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
     }
     for (device::OpeningGrating& grating : out.openingGratings) {
         grating.table += shift;
+        grating.cells += shift;
         grating.samples += shift;
     }
     for (device::OpticalDisc& disc : out.opticalDiscs) {

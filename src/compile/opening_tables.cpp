@@ -8,6 +8,7 @@
 
 #include "compile/near_field.hpp"
 #include "compile/parallel.hpp"
+#include "compile/uneven_lattice.hpp"
 #include "optics/energy.hpp"
 
 namespace fringe::compile {
@@ -69,13 +70,24 @@ double OpeningShares::knot(std::size_t i) {
     return *known_[i];
 }
 
-OpeningTables openingTables(const optics::Aperture& aperture, std::optional<double> profile,
+OpeningTables openingTables(const optics::Aperture& aperture, const std::optional<UnevenBeam>& profile,
                             const glm::dvec2& incoming, TableMemo* memo) {
-    TableMemo::Key key = TableMemo::Key().add(aperture).add(profile.value_or(0.0));
+    TableMemo::Key key = TableMemo::Key().add(aperture).add(profile ? profile->width : 0.0);
     OpeningTables tables;
-    if (profile) {
-        tables.mask = rememberedTable(
-            memo, key, [&] { return tablesOf(optics::gaussianGrid(aperture, *profile, kPixelsAcross)); });
+    if (profile && profile->isWhole) {  // no rim sends anything past the last directions
+        tables.shares = std::make_shared<OpeningShares>(100.0, [](units::Length) { return 1.0; });
+        return tables;
+    }
+    if (const auto* lattice = std::get_if<optics::LatticeAperture>(&aperture);
+        lattice != nullptr && profile) {
+        const std::optional<LitCells> lit = litCells(*lattice, profile->width);
+        if (!lit->isWhole)
+            tables.cells = rememberedTable(
+                memo, key, [&] { return tablesOf(cellAmplitudes(*lattice, profile->width, *lit)); });
+    } else if (profile) {
+        tables.mask = rememberedTable(memo, key, [&] {
+            return tablesOf(optics::gaussianGrid(aperture, profile->width, kPixelsAcross));
+        });
     } else if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture)) {
         tables.mask = rememberedTable(memo, key, [&] { return tablesOf(optics::gridOf(*mask)); });
     }

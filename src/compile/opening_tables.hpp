@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "compile/beam_profile.hpp"
 #include "compile/table_memo.hpp"
 #include "optics/aperture.hpp"
 #include "optics/mask_spectrum.hpp"
@@ -47,13 +48,15 @@ private:
 struct OpeningTables {
     std::shared_ptr<const MaskTables>
         mask;  // of what is looked up: a mask, an opening that a beam lights unevenly
+    std::shared_ptr<const MaskTables>
+        cells;  // of a lattice's cells that a beam lights unevenly, where needed
     std::shared_ptr<OpeningShares> shares;
 };
 
-// `profile`: the Gaussian beam's diameter in metres where it counts across the opening. `incoming`: direction
-// cosines of the beam. `memo` may be null. Precondition: the aperture is no slits, and with a profile no
-// lattice.
-OpeningTables openingTables(const optics::Aperture& aperture, std::optional<double> profile,
+// `profile`: where that of a beam counts across the opening. `incoming`: direction
+// cosines of the beam. `memo` may be null. Precondition: the aperture is no slits, and with a profile a
+// lattice has litCells().
+OpeningTables openingTables(const optics::Aperture& aperture, const std::optional<UnevenBeam>& profile,
                             const glm::dvec2& incoming, TableMemo* memo);
 
 }  // namespace fringe::compile

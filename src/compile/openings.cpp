@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "compile/near_field.hpp"
 #include "compile/number.hpp"
 #include "compile/opening_tables.hpp"
+#include "compile/uneven_lattice.hpp"
 #include "optics/integrals.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/transform.hpp"
@@ -80,6 +83,38 @@ struct OpeningPacker {
     void operator()(const optics::Slits&) const {}
     void operator()(const optics::MaskAperture&) const {}
 };
+
+// Sums over a lattice's cells of the amplitudes that a beam gives them, and of their squares.
+struct Cells {
+    double sum;
+    double squares;
+};
+
+// The part of the record that says how a Gaussian beam lights them. `tables`: null where the sums have closed
+// forms, the integrals over a beam that is wide beside a cell.
+Cells packCells(const optics::LatticeAperture& lattice, double beamWidth, const MaskTables* tables,
+                device::OpeningGrating& packed, std::vector<float>& values) {
+    const LitCells lit = litCells(lattice, beamWidth).value();
+    const double area = std::abs(lattice.first.x * lattice.second.y - lattice.first.y * lattice.second.x);
+    const double whole = 0.25 * std::numbers::pi * beamWidth * beamWidth / area;
+    Cells cells{whole, 0.5 * whole};
+    packed.isUneven = 1;
+    packed.beamRadius_um = toFloat(0.5e6 * beamWidth);
+    packed.counts = {toFloat(lit.firstCount), toFloat(lit.secondCount)};
+    if (tables != nullptr) {
+        cells = {std::sqrt(tables->spectrum.peak()), tables->spectrum.area()};
+        packed.cells = count(values.size());
+        packed.cellsSize = {toFloat(tables->spectrum.columns()), toFloat(tables->spectrum.rows())};
+        values.insert(values.end(), tables->levels.begin(), tables->levels.end());
+        // As a row would have it that is even and varies as much: it ends an eighth beyond the first zero.
+        const dvec2 variance = cellVariance(cellAmplitudes(lattice, beamWidth, lit));
+        const dvec2 steps(glm::length(lattice.first), glm::length(lattice.second));
+        packed.cellsWidth = device::vec2(glm::sqrt(12.0 * variance) / 1.125);
+        packed.cellsFollow = device::vec2(8.0 * variance * steps * steps / (beamWidth * beamWidth));
+    }
+    packed.imagePeak = toFloat(std::pow(whole / cells.sum, 2));
+    return cells;
+}
 
 // From which on it is taken, at 550 nm: the far field is off by 3e-4 of its peak there at 380 nm.
 constexpr double kLeastFresnelNumber = 0.012;
@@ -219,8 +254,8 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
 
     // The opening, and what its pattern needs.
     const optics::Aperture& aperture = grating.aperture;
-    const OpeningTables shape =
-        openingTables(aperture, profileAcross(grating, fresnelNumber), incoming, tables.memo());
+    const std::optional<UnevenBeam> profile = profileAcross(grating, fresnelNumber);
+    const OpeningTables shape = openingTables(aperture, profile, incoming, tables.memo());
     const double cellExtent = openingExtent(aperture);
     double area = 0.0, peak = 0.0;
     if (shape.mask) {
@@ -234,13 +269,29 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         packed.hasHats = maskSpectrum.hasHats() ? 1U : 0U;
         packed.table = count(values.size());
         values.insert(values.end(), shape.mask->levels.begin(), shape.mask->levels.end());
+    } else if (profile && profile->isWhole) {
+        packed.opening = device::GAUSSIAN_OPENING;
+        packed.beamRadius_um = toFloat(0.5e6 * profile->width);
+        const double whole = 0.25 * std::numbers::pi * profile->width * profile->width;
+        area = 0.5 * whole;
+        peak = whole * whole;
     } else {
         area = optics::area(aperture);
         peak = area * area;
         std::visit(OpeningPacker{packed, values}, aperture);
+        if (const auto* lattice = std::get_if<optics::LatticeAperture>(&aperture);
+            lattice != nullptr && profile) {
+            const Cells cells = packCells(*lattice, profile->width, shape.cells.get(), packed, values);
+            const double cell = optics::moments(lattice->cell).area;
+            area = cell * cells.squares;
+            peak = std::pow(cell * cells.sum, 2);
+        }
     }
     assert(std::isfinite(cellExtent));
-    packed.isNear = !shape.mask && hasNearField(aperture) && fresnelNumber > kLeastFresnelNumber ? 1U : 0U;
+    packed.isNear = packed.opening <= device::RING_OPENING && hasNearField(aperture) &&
+                            fresnelNumber > kLeastFresnelNumber
+                        ? 1U
+                        : 0U;
 
     if (!spectrum.density.empty()) shape.shares->findAll();
     const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, *shape.shares, tables};

@@ -134,6 +134,8 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .HAS_NEAR_OPENINGS = anyOpening([](const device::OpeningGrating& g) { return g.isNear != 0; }),
         .HAS_SHADOWS = compiled.castsShadows && hasCasters(compiled),
         .EVEN_SAMPLES = compiled.evenOpeningSamples,
+        .HAS_UNEVEN_LATTICES = anyOpening([](const device::OpeningGrating& g) { return g.isUneven != 0; }),
+        .HAS_GAUSSIAN_OPENINGS = anyOpeningOf(device::GAUSSIAN_OPENING),
     };
 }
 
@@ -143,7 +145,8 @@ device::Specialisation withoutGratings(device::Specialisation constants) {
     constants.HAS_GAUSSIAN_BEAMS = constants.HAS_ORDER_SHARES = constants.HAS_RIPPLES = 0;
     constants.HAS_RECTANGULAR_OPENINGS = constants.HAS_CIRCULAR_OPENINGS = constants.HAS_RING_OPENINGS = 0;
     constants.HAS_POLYGONAL_OPENINGS = constants.HAS_SYMMETRIC_OPENINGS = constants.HAS_MASK_OPENINGS = 0;
-    constants.HAS_LATTICES = constants.HAS_WIDE_SOURCES = 0;
+    constants.HAS_LATTICES = constants.HAS_UNEVEN_LATTICES = constants.HAS_GAUSSIAN_OPENINGS =
+        constants.HAS_WIDE_SOURCES = 0;
     constants.SAMPLES_AT_HAND = constants.EVEN_SAMPLES = 0;
     constants.POLYGON_EDGES = constants.SYMMETRIC_EDGES = 0;
     constants.HAS_TABLE_EVALUATOR = constants.HAS_ORDERS_EVALUATOR = constants.HAS_DIRECT_EVALUATOR = 0;

@@ -17,6 +17,7 @@ std::optional<std::string> nearFieldWarning(const scene::Scene& scene, const sce
     if (hasNearField(grating.aperture)) return {};
     const auto [distance, number] = nearestField(scene, grating);
     if (number <= kFarFieldNumber) return {};
+    if (const auto profile = profileAcross(grating, number); profile && profile->isWhole) return {};
     const double half = 0.5 * openingExtent(grating.aperture);
     const bool isLattice = std::holds_alternative<optics::LatticeAperture>(grating.aperture);
     return fmt::format(

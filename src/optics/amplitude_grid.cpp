@@ -51,18 +51,23 @@ void forEdges(const std::vector<Outline>& outlines, const Use& use) {
         for (std::size_t i = 0; i < outline.size(); ++i) use(outline[i], outline[(i + 1) % outline.size()]);
 }
 
-// Square of the distance of what lies nearest to (0, 0).
-double nearestSquare(const std::vector<Outline>& outlines) {
-    double nearest = std::numeric_limits<double>::infinity();
-    bool isInside = false;
+// Where the outlines lie about (0, 0).
+struct Surroundings {
+    double square;  // of the distance of the nearest edge
+    bool isInside;  // (0, 0) itself
+};
+
+Surroundings surroundings(const std::vector<Outline>& outlines) {
+    Surroundings result{std::numeric_limits<double>::infinity(), false};
     forEdges(outlines, [&](dvec2 from, dvec2 to) {
         const dvec2 edge = to - from;
         const double along = std::clamp(-glm::dot(from, edge) / glm::dot(edge, edge), 0.0, 1.0);
         const dvec2 foot = from + along * edge;
-        nearest = std::min(nearest, glm::dot(foot, foot));
-        if ((from.y > 0.0) != (to.y > 0.0) && from.x - from.y * edge.x / edge.y > 0.0) isInside = !isInside;
+        result.square = std::min(result.square, glm::dot(foot, foot));
+        if ((from.y > 0.0) != (to.y > 0.0) && from.x - from.y * edge.x / edge.y > 0.0)
+            result.isInside = !result.isInside;
     });
-    return isInside ? 0.0 : nearest;
+    return result;
 }
 
 // The amplitude of a Gaussian beam over that at the distance whose square is `nearest`.
@@ -162,12 +167,18 @@ AmplitudeGrid gridOf(const MaskAperture& mask) {
     return {mask.columns, mask.rows, dvec2(pixel), mask.transmission, area(mask), {upright, level}, false};
 }
 
+double clearance(const Aperture& aperture) {
+    const auto [square, isInside] = surroundings(outlinesOf(aperture));
+    return isInside ? std::sqrt(square) : 0.0;
+}
+
 AmplitudeGrid gaussianGrid(const Aperture& aperture, double beamWidth, std::uint32_t across) {
     if (const auto* mask = std::get_if<MaskAperture>(&aperture)) return litMask(*mask, 0.5 * beamWidth);
     // Beyond this many radii of the beam lie 2e-7 of a whole Gaussian's amplitude along either side.
     constexpr double kReach = 3.7;
     std::vector<Outline> outlines = outlinesOf(aperture);
-    const Gaussian gaussian{0.5 * beamWidth, nearestSquare(outlines)};
+    const auto [square, isInside] = surroundings(outlines);
+    const Gaussian gaussian{0.5 * beamWidth, isInside ? 0.0 : square};
     const dvec2 reach(std::sqrt(gaussian.nearest + std::pow(kReach * gaussian.radius, 2)));
     dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
     AmplitudeGrid grid{across, across, {}, {}, 0.0, {}, true};

@@ -28,6 +28,10 @@ struct AmplitudeGrid {
 
 AmplitudeGrid gridOf(const MaskAperture& mask);
 
+// Radius of the largest disc about (0, 0) that lies within the opening, in metres; 0 where the middle is
+// not open. Precondition: neither slits, lattice nor mask.
+double clearance(const Aperture& aperture);
+
 // The same behind an opening in a Gaussian beam of the 1/e^2 diameter `beamWidth`, in metres, to a factor.
 // A mask keeps its pixels. Others get `across` along either side. The far field of these pixels is that of
 // the opening to 1e-5 of the peak for 144 of them, up to across/2 fringes off its middle; farther off it

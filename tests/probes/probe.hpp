@@ -16,7 +16,7 @@ enum class Probe : std::uint32_t {
     ring,              // diameter, inner share
     polygon,           // 1/wavelength, area, vertices
     lattice,           // 1/wavelength, first (x, y high, x, y low), second, counts
-    mask,              // 1/wavelength, table size, width and height of a pixel, 1 (a square) or 2 (a hat), table
+    mask,              // 1/wavelength, table size, width, height of a pixel, 1 (square) or 2 (hat), table
     symmetricPolygon,  // 1/wavelength, area, half of the vertices and the next
     evenPolygon,       // the same
 };

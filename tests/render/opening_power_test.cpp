@@ -157,25 +157,32 @@ INSTANTIATE_TEST_SUITE_P(
 // cell: its pattern is their envelope. 5 %: orders of two pixels are sampled once a pixel, in rows that are
 // turned to them.
 TEST(OpeningsOnDevice, LatticesOfManyCellsKeepTheirPower) {
-    const auto powerOf = [](const std::string& aperture, const char* beam) {
-        scene::Scene scene = parsed({"", aperture.c_str(), beam, kWhite, 1.6, R"(, "efficiency": 1)"});
+    const auto powerOf = [](const std::string& aperture, const std::string& beam) {
+        scene::Scene scene =
+            parsed({"", aperture.c_str(), beam.c_str(), kWhite, 1.6, R"(, "efficiency": 1)"});
         const image::Image picture = renderOnDevice(scene, {.measure = compile::Measure::irradiance});
         double sum = 0.0;
         for (const image::Pixel& pixel : picture.pixels) sum += double{pixel.y};
         return sum * std::pow(1.6 / picture.width, 2);
     };
-    const char* beam = R"("diameter": "20 mm", "spectrum": { "type": "laser", "wavelength": "532 nm" })";
-    const double cell = powerOf(R"({ "type": "circle", "diameter": "4 um" })", beam);
+    const std::string laser = R"(, "spectrum": { "type": "laser", "wavelength": "532 nm" })";
+    const std::string even = R"("diameter": "20 mm")" + laser;
+    const double cell = powerOf(R"({ "type": "circle", "diameter": "4 um" })", even);
     EXPECT_NEAR(cell, 1.0, 0.02);  // most of it is on the wall
-    for (const char* row : {R"(["0 um", "9 um"])", R"(["5 um", "8.66 um"])"}) {
-        for (const int count : {40, 300, 1000}) {  // narrow orders; images of 3 mm; images of 10 mm
-            const double lattice = powerOf(
-                fmt::format(R"({{ "type": "lattice", "cell": {{ "type": "circle", "diameter": "4 um" }},
+    constexpr const char* kOblique = R"(["5 um", "8.66 um"])";
+    const auto latticeOf = [](const char* row, int count) {
+        return fmt::format(R"({{ "type": "lattice", "cell": {{ "type": "circle", "diameter": "4 um" }},
                     "first": ["10 um", "0 um"], "second": {}, "first_count": {}, "second_count": {} }})",
-                            row, count, count / 2),
-                beam);
-            EXPECT_NEAR(lattice / cell, 1.0, 0.05) << row << ' ' << count;
-        }
+                           row, count, count / 2);
+    };
+    for (const char* row : {R"(["0 um", "9 um"])", kOblique}) {
+        for (const int count : {40, 300, 1000})  // narrow orders; images of 3 mm; images of 10 mm
+            EXPECT_NEAR(powerOf(latticeOf(row, count), even) / cell, 1.0, 0.05) << row << ' ' << count;
+    }
+    // Gaussian beams: wholly on the lattice; cut along one row; cut along both.
+    for (const char* diameter : {"0.1 mm", "0.6 mm", "3 mm"}) {
+        const std::string beam = fmt::format(R"("profile": "gaussian", "diameter": "{}")", diameter) + laser;
+        EXPECT_NEAR(powerOf(latticeOf(kOblique, 300), beam) / cell, 1.0, 0.05) << diameter;
     }
 }
 

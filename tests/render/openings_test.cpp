@@ -54,6 +54,9 @@ constexpr const char* kRed = R"({ "type": "diffuse", "reflectance": [0.7, 0.05, 
 constexpr const char* kLaser =
     R"("diameter": "200 um", "spectrum": { "type": "laser", "wavelength": "532 nm" })";
 
+constexpr const char* kNarrow =
+    R"("profile": "gaussian", "diameter": "26 um", "spectrum": { "type": "laser", "wavelength": "532 nm" })";
+
 INSTANTIATE_TEST_SUITE_P(
     Kinds, Openings,
     ::testing::Values(
@@ -86,11 +89,44 @@ INSTANTIATE_TEST_SUITE_P(
                      R"({ "type": "lattice", "cell": { "type": "rectangle", "width": "0.8 um",
              "height": "1 um" }, "first": ["1.5 um", "0 um"], "second": ["0.2 um", "1.6 um"], "first_count": 3,
              "second_count": 3 })",
-                     kLaser, kWhite, 1.5}),
+                     kLaser, kWhite, 1.5},
+        OpeningScene{"latticeWiderThanAGaussianBeam",
+                     R"({ "type": "lattice", "cell": { "type": "rectangle", "width": "2 um",
+             "height": "1 um" }, "first": ["6 um", "0 um"], "second": ["1 um", "5 um"], "first_count": 20,
+             "second_count": 21 })",
+                     kNarrow, kWhite, 0.4}),
     [](const auto& info) { return std::string(info.param.name); });
 
 scene::Scene sceneOf(const char* aperture, const char* beam = OpeningScene{}.beam) {
     return parsed({"", aperture, beam});
+}
+
+// Spots that the wave's curvature widens by a third and more, and cells' patterns that go with them: as many
+// columns of the picture as hold an order or two.
+TEST(OpeningsOnDevice, NearAGaussianBeamThatPassesWholeAreAsTheReferenceHasThem) {
+    for (const auto& [aperture, diameter] :
+         {std::pair{R"({ "type": "lattice", "cell": { "type": "rectangle", "width": "60 um",
+             "height": "30 um" }, "first": ["150 um", "0 um"], "second": ["30 um", "150 um"], "first_count": 21,
+             "second_count": 20 })",
+                    "0.7 mm"},
+          {R"({ "type": "polygon", "sides": 5, "diameter": "5.6 mm" })", "1.2 mm"}}) {
+        const std::string beam = fmt::format(R"("profile": "gaussian", "diameter": "{}",
+            "spectrum": {{ "type": "laser", "wavelength": "532 nm" }})",
+                                             diameter);
+        scene::Scene scene = parsed({"", aperture, beam.c_str(), kWhite, 0.02});
+        gratingOf(scene).position = {0.0, 0.0005, 0.0};
+        scene.image.width = 30;
+        EXPECT_LE(deviation(scene), 2e-3) << aperture;
+    }
+}
+
+// Cells' patterns go with the orders to the first order in a cell's size over the beam's: of the second, the
+// square of 1 um over 13 um, 6e-3, a third remains.
+TEST(OpeningsOnDevice, LatticeThatCutsAGaussianBeamIsNearlyAsTheReferenceHasIt) {
+    EXPECT_LE(deviation(parsed({"", R"({ "type": "lattice", "cell": { "type": "circle", "diameter": "2 um" },
+             "first": ["6 um", "0 um"], "second": ["2 um", "7 um"], "first_count": 9, "second_count": 8 })",
+                                kNarrow, kWhite, 0.4, R"(, "efficiency": 0.5)"})),
+              2.5e-3);
 }
 
 // The wall in a mirror of gold, whose colour belongs into the sum over wavelengths.

@@ -54,6 +54,8 @@ FEATURES = {
     "polygonal openings": (["HAS_POLYGONAL_OPENINGS", "HAS_SYMMETRIC_OPENINGS"], []),
     "masks": (["HAS_MASK_OPENINGS"], []),
     "lattices": (["HAS_LATTICES"], []),
+    "lattices in Gaussian beams": (["HAS_UNEVEN_LATTICES"], []),
+    "Gaussian beams that pass whole": (["HAS_GAUSSIAN_OPENINGS"], []),
     "what pits scatter": (["HAS_SCATTERING"], []),
     "vinyl's grooves": (["HAS_GROOVES"], []),
     "continuous spectra on discs": (["HAS_DISC_CONTINUUM"], []),

@@ -44,6 +44,8 @@ Json::Value toJson(const preview::Statistics& statistics) {
     json["camera_interval_ms"] = summary(statistics.cameraIntervals());
     json["camera_latency_ms"] = summary(statistics.cameraLatencies());
     json["knob_latency_ms"] = summary(statistics.knobLatencies());
+    json["first_scene_ms"] = statistics.firstScene();
+    json["knob_scene_ms"] = summary(statistics.knobScenes());
     json["longest_busy_ms"] = statistics.longestBusy();
     return json;
 }

@@ -124,7 +124,8 @@ Json::UInt64 sceneBytes(const compile::CompiledScene& s) {
     return sizeof(device::SceneBlock) + bytes(s.planes) + bytes(s.rectangles) + bytes(s.discs) +
            bytes(s.spheres) + bytes(s.boxes) + bytes(s.cylinders) + bytes(s.cones) + bytes(s.triangles) +
            bytes(s.materials) + bytes(s.lights) + bytes(s.gratings) + bytes(s.slitGratings) +
-           bytes(s.openingGratings) + s.tables.size() * sizeof(float) + bytes(s.responses) +
+           bytes(s.openingGratings) + s.tables.size() * sizeof(float) +
+           s.responses.size() * sizeof(device::ResponseEntry) +
            s.tree.nodes.size() * sizeof(device::TreeNode);
 }
 

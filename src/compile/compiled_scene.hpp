@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compile/interface.hpp"
+#include "compile/response_tables.hpp"
 #include "compile/spectral.hpp"
 #include "compile/tree.hpp"
 #include "scene/scene.hpp"
@@ -42,7 +43,7 @@ struct CompiledScene {
     bool clearHubs = false;                         // of discs: a path may go on behind one
     std::uint32_t castingDiscs = 0;                 // that light their surroundings
     bool discContinuum = false, discLines = false;  // what of spectra discs diffract
-    std::vector<device::ResponseEntry> responses;   // of slits to continuous spectra
+    ResponseTables responses;                       // of slits to continuous spectra
     bool bandResponses = false;  // they are for each band too, not for all bands' sum alone
     std::vector<float> tables;   // colours, refractive indices, and what gratings need beside their record
 };

@@ -114,15 +114,14 @@ device::uint appendCoarse(const std::vector<SpectralSample>& fine, const Spectra
 // What a grating needs beside its record.
 void addTables(const LitSlits& lit, const optics::Spectrum& spectrum, const SpectralTables& tables,
                const EvaluatorChoice& choice, device::SlitGrating& packed, std::vector<float>& values,
-               std::vector<device::ResponseEntry>& responses) {
+               ResponseTables& responses) {
     const auto here = [&] { return static_cast<device::uint>(values.size()); };
     if (!spectrum.density.empty()) {
-        packed.response = count(responses.size());
+        ResponseTables::Table entries;
         if (choice.wavelengths > 0) {
-            const std::vector<device::ResponseEntry> waves =
-                waveList(lit, spectrum, tables, choice.wavelengths);
+            entries = std::make_shared<const std::vector<device::ResponseEntry>>(
+                waveList(lit, spectrum, tables, choice.wavelengths));
             packed.entries = choice.wavelengths;
-            responses.insert(responses.end(), waves.begin(), waves.end());
         } else {
             const auto kept = choice.evaluator == device::ORDERS_EVALUATOR
                                   ? std::make_shared<const SlitResponse>(orderResponse(lit, spectrum, tables))
@@ -133,8 +132,9 @@ void addTables(const LitSlits& lit, const optics::Spectrum& spectrum, const Spec
             packed.entries = response.entries;
             packed.integralUnit = toFloat(response.integralUnit);
             packed.slopeUnit = toFloat(response.slopeUnit);
-            responses.insert(responses.end(), response.values.begin(), response.values.end());
+            entries = {kept, &response.values};
         }
+        packed.response = count(responses.append(std::move(entries)));
         if (packed.isWide != 0) {
             std::vector<SpectralSample> undeviated = continuousSamples(spectrum, 1.0);
             const auto shares = propagatingShares(lit, 1.0, tables.memo());
@@ -230,8 +230,7 @@ std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene) {
 
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& given,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 double tolerance, std::vector<float>& values,
-                                 std::vector<device::ResponseEntry>& responses,
+                                 double tolerance, std::vector<float>& values, ResponseTables& responses,
                                  std::vector<KnownSlits>& known) {
     const scene::Beam& beam = grating.beam;
     const optics::Slits slits = withPeriod(given);

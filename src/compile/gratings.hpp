@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compile/interface.hpp"
+#include "compile/response_tables.hpp"
 #include "compile/slit_response.hpp"
 #include "compile/spectral.hpp"
 #include "scene/scene.hpp"
@@ -33,8 +34,7 @@ std::vector<device::SlitGrating> continuousBeams(const scene::Scene& scene);
 // and then the slits to these; `tables` must know all reflectances. `tolerance`: image.tolerance.
 device::SlitGrating compileSlits(const scene::Grating& grating, const optics::Slits& slits,
                                  const optics::Spectrum& spectrum, const SpectralTables& tables,
-                                 double tolerance, std::vector<float>& values,
-                                 std::vector<device::ResponseEntry>& responses,
+                                 double tolerance, std::vector<float>& values, ResponseTables& responses,
                                  std::vector<KnownSlits>& known);
 
 }  // namespace fringe::compile

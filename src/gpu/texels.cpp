@@ -25,38 +25,52 @@ vk::raii::Image createImage(const Device& device, vk::Extent3D extent) {
                                                  Usage::eSampled | Usage::eTransferDst)};
 }
 
+std::size_t bytesOf(std::span<const Texels::Part> parts) {
+    return parts.empty() ? 0 : parts.back().offset + parts.back().records.size();
+}
+
+void put(const Texels::Part& part, const Buffer& buffer) {
+    std::copy(part.records.begin(), part.records.end(), buffer.mapped().subspan(part.offset).begin());
+}
+
 }  // namespace
 
 bool fitTexelBuffer(const Device& device, std::size_t bytes) {
     return bytes / kTexelBytes <= device.limits().maxTexelBufferElements;
 }
 
-Texels::Texels(const Device& device, const std::string& what, std::span<const std::byte> records,
-               TexelHome home, std::uint32_t row)
-    : buffer_(device, std::max(home == TexelHome::buffer ? records.size() : 0, kTexelBytes),
+Texels::Texels(const Device& device, const std::string& what, std::span<const Part> parts, TexelHome home,
+               std::uint32_t row)
+    : home_(home),
+      buffer_(device, std::max(home == TexelHome::buffer ? bytesOf(parts) : 0, kTexelBytes),
               Access::hostWrites),
       image_(nullptr),
       memory_(nullptr),
       view_(nullptr) {
-    assert(home == TexelHome::image || fitTexelBuffer(device, records.size()));
+    assert(home == TexelHome::image || fitTexelBuffer(device, bytesOf(parts)));
     guarded("uploading " + what, [&] {
         const vk::Extent3D extent =
-            extentOf(device, what, home == TexelHome::image ? records.size() : 0, row);
+            extentOf(device, what, home == TexelHome::image ? bytesOf(parts) : 0, row);
         image_ = createImage(device, extent);
         memory_ = allocate(device, image_.getMemoryRequirements(), Access::deviceOnly);
         image_.bindMemory(*memory_, 0);
         if (home == TexelHome::image) {
             const Buffer staging(device, kTexelBytes * extent.width * extent.height, Access::hostWrites);
-            std::copy(records.begin(), records.end(), staging.mapped().begin());
+            for (const Part& part : parts) put(part, staging);
             fill(device, staging.handle(), *image_, extent);
         } else {
-            std::copy(records.begin(), records.end(), buffer_.mapped().begin());
+            for (const Part& part : parts) put(part, buffer_);
             fill(device, buffer_.handle(), *image_, extent);
         }
         view_ = vk::raii::ImageView(
             device.handle(), vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D, kTexelFormat, {},
                                                      {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
     });
+}
+
+void Texels::write(const Part& part) const {
+    assert(part.offset + part.records.size() <= room());
+    put(part, buffer_);
 }
 
 Binding Texels::buffer() const {

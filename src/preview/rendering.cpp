@@ -158,6 +158,7 @@ Picture Rendering::develop() {
                     .rgba = {},
                     .film = nullptr,
                     .development = {},
+                    .timing = timing_,
                     .scene = scene_,
                     .source = source_};
     progressive_.read(pixels_);

@@ -22,12 +22,18 @@ void Statistics::wished(std::uint64_t number, Cause cause) {
 
 void Statistics::shown(const Picture& picture) {
     const Clock::time_point now = Clock::now();
-    if (++pictures_ == 1) firstPicture_ = milliseconds(now - start_);
+    if (++pictures_ == 1) {
+        firstPicture_ = milliseconds(now - start_);
+        firstScene_ = picture.timing.scene;
+    }
     // Wishes that a later one has replaced end with it: the time counts from the wish that is shown.
     const auto made = open_.find(picture.wish);
     if (made == open_.end()) return;
     const double latency = milliseconds(now - made->second.at);
-    if (made->second.cause == Cause::knob) knobLatencies_.push_back(latency);
+    if (made->second.cause == Cause::knob) {
+        knobLatencies_.push_back(latency);
+        knobScenes_.push_back(picture.timing.scene);
+    }
     if (made->second.cause == Cause::camera) {
         cameraLatencies_.push_back(latency);
         const double interval = milliseconds(now - lastCameraPicture_);

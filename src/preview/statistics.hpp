@@ -30,6 +30,9 @@ public:
     void busyFor(double milliseconds) { longestBusy_ = std::max(longestBusy_, milliseconds); }
 
     double firstPicture() const { return firstPicture_; }
+    // Of reading and compiling the first scene, and those after a knob.
+    double firstScene() const { return firstScene_; }
+    const std::vector<double>& knobScenes() const { return knobScenes_; }
     double longestBusy() const { return longestBusy_; }
     const std::vector<double>& cameraIntervals() const { return cameraIntervals_; }  // between pictures
     const std::vector<double>& cameraLatencies() const { return cameraLatencies_; }  // from wish to picture
@@ -49,8 +52,9 @@ private:
     std::map<std::uint64_t, Made> open_;  // wishes without a picture so far
     Clock::time_point lastCameraPicture_{};
     double firstPicture_ = 0.0;
+    double firstScene_ = 0.0;
     double longestBusy_ = 0.0;
-    std::vector<double> cameraIntervals_, cameraLatencies_, knobLatencies_;
+    std::vector<double> cameraIntervals_, cameraLatencies_, knobLatencies_, knobScenes_;
     std::uint64_t pictures_ = 0;
 };
 

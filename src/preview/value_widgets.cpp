@@ -94,7 +94,8 @@ std::optional<Json::Value> drawDirection(const char* label, const Json::Value& v
     const double x = value[0].asDouble(), y = value[1].asDouble(), z = value[2].asDouble();
     std::array angles{static_cast<float>(std::atan2(x, z) / kDegree),
                       static_cast<float>(std::atan2(y, std::hypot(x, z)) / kDegree)};
-    if (!ImGui::DragFloat2(label, angles.data(), 0.25F, -180.0F, 180.0F, "%.1f deg")) return std::nullopt;
+    // Without limits: a turn goes on beyond the half one.
+    if (!ImGui::DragFloat2(label, angles.data(), 0.25F, 0.0F, 0.0F, "%.1f deg")) return std::nullopt;
     const double around = double{angles[0]} * kDegree;
     const double above = std::clamp(double{angles[1]}, -90.0, 90.0) * kDegree;
     Json::Value turned(Json::arrayValue);

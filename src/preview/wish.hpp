@@ -50,6 +50,15 @@ struct Wish {
     bool isMoving = false;      // the next wish comes soon, and a coarse picture does
 };
 
+// Milliseconds, each of the last time.
+struct Timing {
+    double scene = 0.0;           // reading the scene and making its tables
+    double pipeline = 0.0;        // compiling one
+    double sample = 0.0;          // of all pixels in full size
+    double develop = 0.0;         // reading the film and developing it
+    std::uint64_t pipelines = 0;  // compiled so far
+};
+
 struct Picture {
     std::uint64_t wish = 0;               // the number of the one that it fulfils
     std::uint32_t width = 0, height = 0;  // less than the full size while it is coarse
@@ -59,17 +68,9 @@ struct Picture {
     std::vector<std::uint8_t> rgba;            // the fourth does not count
     std::shared_ptr<const image::Image> film;  // in full size; null while it is coarse, and of one wavelength
     image::Development development;            // what a file of it gets
+    Timing timing;                             // up to here
     std::shared_ptr<const scene::Scene> scene;
     std::shared_ptr<const Source> source;
-};
-
-// Milliseconds, each of the last time.
-struct Timing {
-    double scene = 0.0;           // reading the scene and making its tables
-    double pipeline = 0.0;        // compiling one
-    double sample = 0.0;          // of all pixels in full size
-    double develop = 0.0;         // reading the film and developing it
-    std::uint64_t pipelines = 0;  // compiled so far
 };
 
 // What the renderer has to tell beside pictures.

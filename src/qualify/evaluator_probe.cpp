@@ -38,14 +38,21 @@ scene::Grating gratingOf(const EvaluatorCase& which, const EvaluatorSetting& set
             .wavelengths = setting.wavelengths};
 }
 
-std::span<const std::byte> bytesOf(const std::vector<device::ResponseEntry>& entries) {
-    return std::as_bytes(std::span(entries));
+// The part of the one grating.
+gpu::Texels::Part partOf(const compile::ResponseTables& responses) {
+    if (responses.parts().empty()) return {};
+    return {0, std::as_bytes(std::span(*responses.parts().front().table))};
 }
 
 // As `fringe render` has it.
-gpu::TexelHome homeOf(const gpu::Device& device, const std::vector<device::ResponseEntry>& entries) {
-    return gpu::fitTexelBuffer(device, bytesOf(entries).size()) ? gpu::TexelHome::buffer
-                                                                : gpu::TexelHome::image;
+gpu::TexelHome homeOf(const gpu::Device& device, const compile::ResponseTables& responses) {
+    return gpu::fitTexelBuffer(device, partOf(responses).records.size()) ? gpu::TexelHome::buffer
+                                                                         : gpu::TexelHome::image;
+}
+
+gpu::Texels texelsOf(const gpu::Device& device, const compile::ResponseTables& responses) {
+    const gpu::Texels::Part part = partOf(responses);
+    return {device, "response tables", std::span(&part, 1), homeOf(device, responses), device::TEXEL_ROW};
 }
 
 }  // namespace
@@ -74,8 +81,7 @@ EvaluatorProbe::EvaluatorProbe(const gpu::Device& device, const PreparedSlits& p
     : device_(device),
       tables_(device, std::max<std::size_t>(prepared.scene.tables.size() * sizeof(float), 16),
               gpu::Access::hostWrites),
-      responses_(device, "response tables", bytesOf(prepared.scene.responses),
-                 homeOf(device, prepared.scene.responses), device::TEXEL_ROW),
+      responses_(texelsOf(device, prepared.scene.responses)),
       inputs_(device, windows.size_bytes(), gpu::Access::hostWrites),
       results_(device, windows.size() * sizeof(EvaluatorResult), gpu::Access::hostReads),
       kernel_(makeKernel(prepared)) {

@@ -12,10 +12,11 @@ using glm::dvec3;
 Waves wavesOf(const PreparedSlits& prepared) {
     const device::SlitGrating& g = prepared.grating();
     const auto real = [](device::uint bits) { return std::bit_cast<float>(bits); };
+    const std::vector<device::ResponseEntry> entries = compile::entriesOf(prepared.scene.responses);
     Waves list{g.count, {}};
     for (device::uint i = 0; i < g.entries; ++i) {
-        const device::ResponseEntry& wave = prepared.scene.responses[g.response + i];
-        const device::ResponseEntry& color = prepared.scene.responses[g.response + g.entries + i];
+        const device::ResponseEntry& wave = entries[g.response + i];
+        const device::ResponseEntry& color = entries[g.response + g.entries + i];
         list.waves.push_back({real(wave.integral.x), real(wave.integral.y), real(wave.integral.z),
                               dvec3(real(color.integral.x), real(color.integral.y), real(color.integral.z))});
     }

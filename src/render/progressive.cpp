@@ -42,7 +42,7 @@ void Progressive::show(const compile::CompiledScene& scene, device::Specialisati
     if (!scene_ || scene_->size() < layout.size)
         scene_.emplace(device_, layout.size, gpu::Access::hostWrites);
     upload(layout, *scene_);
-    texels_ = uploadTexels(device_, scene, constants);
+    uploadTexels(device_, scene, constants, texels_);
     const std::uint64_t pixels = std::uint64_t{frame_.filmWidth} * wholeGroups(frame_.height);
     if (!film_ || film_->pixels() < pixels) film_.emplace(device_, pixels);
     pipelineFor(variantFor(scene), constants, shader, layout)

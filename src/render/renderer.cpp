@@ -149,7 +149,7 @@ Renderer::Parts::Parts(const gpu::Device& device, const compile::CompiledScene& 
     {
         const Stopwatch watch(clocks.upload);
         upload(layout, scene);
-        texels = uploadTexels(device, compiled, specialisation);
+        uploadTexels(device, compiled, specialisation, texels);
     }
     const Stopwatch watch(clocks.compile);
     const auto addPipeline = [&](const Variant& variant, const device::Specialisation& constants) {

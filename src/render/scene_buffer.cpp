@@ -57,6 +57,14 @@ std::span<const std::byte> bytesOf(const std::vector<Element>& elements) {
     return std::as_bytes(std::span(elements));
 }
 
+std::size_t sizeOf(const compile::ResponseTables& tables) {
+    return tables.size() * sizeof(device::ResponseEntry);
+}
+
+gpu::Texels::Part texelsOf(const compile::ResponseTables::Part& part) {
+    return {part.first * sizeof(device::ResponseEntry), bytesOf(*part.table)};
+}
+
 }  // namespace
 
 SceneLayout layOut(const compile::CompiledScene& scene, const gpu::Device& device) {
@@ -89,24 +97,37 @@ void upload(const SceneLayout& layout, const gpu::Buffer& buffer) {
 
 device::Specialisation specialiseFor(const gpu::Device& device, const compile::CompiledScene& scene,
                                      device::Specialisation constants) {
-    if (!gpu::fitTexelBuffer(device, bytesOf(scene.responses).size()) ||
+    if (!gpu::fitTexelBuffer(device, sizeOf(scene.responses)) ||
         !gpu::fitTexelBuffer(device, bytesOf(scene.tree.nodes).size())) {
         constants.TEXELS_IN_IMAGES = 1;
     }
     return constants;
 }
 
-SceneTexels uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
-                         const device::Specialisation& constants) {
+void uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
+                  const device::Specialisation& constants, SceneTexels& texels) {
     const gpu::TexelHome home =
         constants.TEXELS_IN_IMAGES != 0 ? gpu::TexelHome::image : gpu::TexelHome::buffer;
-    SceneTexels texels;
-    if (!scene.slitGratings.empty() || !scene.openingGratings.empty() || scene.inBands)
-        texels.responses.emplace(device, "response tables", bytesOf(scene.responses), home,
-                                 device::TEXEL_ROW);
-    if (!scene.tree.nodes.empty())
-        texels.tree.emplace(device, "the tree of shapes", bytesOf(scene.tree.nodes), home, device::TEXEL_ROW);
-    return texels;
+    if (scene.slitGratings.empty() && scene.openingGratings.empty() && !scene.inBands) {
+        texels.responses.reset();
+    } else if (home == gpu::TexelHome::buffer && texels.responses &&
+               sizeOf(scene.responses) <= texels.responses->room()) {
+        const auto& known = texels.tables.parts();
+        for (const compile::ResponseTables::Part& part : scene.responses.parts())
+            if (std::find(known.begin(), known.end(), part) == known.end())
+                texels.responses->write(texelsOf(part));
+    } else {
+        std::vector<gpu::Texels::Part> parts;
+        for (const compile::ResponseTables::Part& part : scene.responses.parts())
+            parts.push_back(texelsOf(part));
+        texels.responses.reset();  // before there are two
+        texels.responses.emplace(device, "response tables", parts, home, device::TEXEL_ROW);
+    }
+    texels.tables = scene.responses;
+    texels.tree.reset();
+    if (scene.tree.nodes.empty()) return;
+    const gpu::Texels::Part nodes{0, bytesOf(scene.tree.nodes)};
+    texels.tree.emplace(device, "the tree of shapes", std::span(&nodes, 1), home, device::TEXEL_ROW);
 }
 
 std::vector<gpu::Binding> bindings(const SceneLayout& layout, const gpu::Buffer& scene,

@@ -37,9 +37,13 @@ device::Specialisation specialiseFor(const gpu::Device& device, const compile::C
 struct SceneTexels {
     std::optional<gpu::Texels> responses;  // for shaders that know gratings, though the scene may have none
     std::optional<gpu::Texels> tree;       // for those that know one
+    compile::ResponseTables tables;        // that are in `responses`
 };
-SceneTexels uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
-                         const device::Specialisation& constants);
+
+// Into `texels`, which may be another scene's: tables that are in their place there stay. Precondition: the
+// device reads them no longer.
+void uploadTexels(const gpu::Device& device, const compile::CompiledScene& scene,
+                  const device::Specialisation& constants, SceneTexels& texels);
 
 // Bindings of shaders/bindings.glsl and shaders/tree.glsl. An array that is not there is bound to the frame's
 // bytes, which the specialised shader never reads as such: Vulkan wants every binding to be valid, and this

@@ -137,7 +137,8 @@ private:
         useInstrument(place);
         navigate(window, place, keys);
         const State state = engine_.state();
-        const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond(), notice_};
+        const Facts facts{state, picture_ ? &*picture_ : nullptr, statistics_.picturesPerSecond(), notice_,
+                          watch_.problem()};
         PanelActions actions = drawPanel(settings_, document_, facts, window.scale());
         const bool isWritten = drawInstrument(instrument_, state, scene_, camera_.value_or(scene_.camera),
                                               place, window.scale());

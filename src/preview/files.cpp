@@ -46,10 +46,21 @@ FileWatch::FileWatch(std::filesystem::path file) : file_(std::move(file)), known
 
 std::optional<std::string> FileWatch::changedText() {
     const std::optional<FileStamp> now = stampOf(file_);
-    if (!now || now == known_) return std::nullopt;
+    if (!now) {
+        problem_ = fmt::format("{} is no longer there; it is read again when it comes back", file_.string());
+        return std::nullopt;
+    }
+    if (now == known_) {
+        problem_.clear();
+        return std::nullopt;
+    }
     std::ifstream stream(file_, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) return std::nullopt;
+    if (!stream) {
+        problem_ = fmt::format("{} has changed, but cannot be read", file_.string());
+        return std::nullopt;
+    }
+    problem_.clear();
     known_ = now;
     return text;
 }

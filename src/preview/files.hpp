@@ -27,9 +27,13 @@ public:
     // Its text, if it has been written to since the last call and can be read.
     std::optional<std::string> changedText();
 
+    // What was wrong with the file at the last call; empty: nothing.
+    const std::string& problem() const { return problem_; }
+
 private:
     std::filesystem::path file_;
     std::optional<FileStamp> known_;
+    std::string problem_;
 };
 
 // Notices that a shader of a folder has been written to, made or taken away.

@@ -65,7 +65,7 @@ bool drawDisplay(Settings& settings, const Facts& facts) {
     }
     if (settings.display.view == View::decades) drawLegend();
     int samples = static_cast<int>(settings.samples);
-    if (ImGui::SliderInt("samples", &samples, 1, 1024, "%d", ImGuiSliderFlags_Logarithmic)) {
+    if (ImGui::SliderInt("preview samples", &samples, 1, 1024, "%d", ImGuiSliderFlags_Logarithmic)) {
         settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 65535));
         changed = true;
     }
@@ -150,9 +150,8 @@ void drawKeys(Settings& settings, int left) {
 void drawMessages(const Facts& facts, int left) {
     const State& state = facts.state;
     const std::string& news = facts.notice.empty() ? state.activity : facts.notice;
-    const bool isError = !state.error.empty() || !state.shaderError.empty();
-    const std::string& text = !isError ? news : state.error.empty() ? state.shaderError : state.error;
-    if (text.empty()) return;
+    const std::string& error = state.error.empty() ? state.shaderError : state.error;
+    if (news.empty() && error.empty() && facts.fileProblem.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const auto begin = static_cast<float>(left);
     ImGui::SetNextWindowPos({begin, size.y}, ImGuiCond_Always, {0.0F, 1.0F});
@@ -161,9 +160,11 @@ void drawMessages(const Facts& facts, int left) {
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
     ImGui::Begin("##messages", nullptr, flags);
-    if (isError) ImGui::PushStyleColor(ImGuiCol_Text, {1.0F, 0.55F, 0.45F, 1.0F});
-    ImGui::TextWrapped("%s", text.c_str());
-    if (isError) ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Text, {1.0F, 0.55F, 0.45F, 1.0F});
+    for (const std::string* problem : {&facts.fileProblem, &error})
+        if (!problem->empty()) ImGui::TextWrapped("%s", problem->c_str());
+    ImGui::PopStyleColor();
+    if (!news.empty()) ImGui::TextWrapped("%s", news.c_str());
     ImGui::End();
 }
 

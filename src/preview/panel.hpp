@@ -21,7 +21,8 @@ struct Facts {
     const State& state;
     const Picture* picture = nullptr;  // on show; null before the first
     float picturesPerSecond = 0.0F;
-    const std::string& notice;  // what was written, or why it was not
+    const std::string& notice;       // what was written, or why it was not
+    const std::string& fileProblem;  // why changes of the scene file cannot be followed
 };
 
 // Pixels that the panel takes at the left edge of the window.

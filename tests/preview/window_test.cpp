@@ -263,6 +263,15 @@ TEST(WindowOnDevice, AChangedFileIsReadAgainAndABrokenOneIsNot) {
     file.write(good);
     file.replace("\"width\": \"1 um\"", "\"width\": \"0.7 um\"");
     EXPECT_TRUE(comesToShow(session, rendered(session, file.path())));
+    // One that is gone is told of, and the scene stays until it is back, as editors do that write another and
+    // rename it.
+    const Screen changed = pictureOf(session);
+    std::filesystem::remove(file.path());
+    EXPECT_TRUE(comesToDiffer(session, changed, 0.0));
+    EXPECT_LT(shareOfDifferent(pictureOf(session), changed), 0.2);
+    image::putBytes(file.path("other.json"), good);
+    std::filesystem::rename(file.path("other.json"), file.path());
+    EXPECT_TRUE(comesToShow(session, before));
     expectDone(session.quit());
 }
 

@@ -40,11 +40,13 @@ double shareStep_nm(double cellExtent, bool isLattice) {
     if (cellExtent >= 3e-6) return 25.0;
     return isLattice ? 5.0 : 10.0;
 }
+// Of drafts: three wavelengths, between which the share of narrow openings is some hundredths off.
+constexpr double kDraftStep_nm = 200.0;
 
 }  // namespace
 
-MaskTables tablesOf(const optics::AmplitudeGrid& grid) {
-    optics::MaskSpectrum spectrum(grid);
+MaskTables tablesOf(const optics::AmplitudeGrid& grid, bool isDraft) {
+    optics::MaskSpectrum spectrum(grid, isDraft ? 4 : 8);
     std::vector<float> levels = deviceLevels(spectrum);
     return {std::move(spectrum), std::move(levels)};
 }
@@ -82,19 +84,21 @@ OpeningTables openingTables(const optics::Aperture& aperture, const std::optiona
         lattice != nullptr && profile) {
         const std::optional<LitCells> lit = litCells(*lattice, profile->width);
         if (!lit->isWhole)
-            tables.cells = rememberedTable(
-                memo, key, [&] { return tablesOf(cellAmplitudes(*lattice, profile->width, *lit)); });
+            tables.cells = rememberedOrDraft(memo, key, [&](bool isDraft) {
+                return tablesOf(cellAmplitudes(*lattice, profile->width, *lit), isDraft);
+            });
     } else if (profile) {
-        tables.mask = rememberedTable(memo, key, [&] {
-            return tablesOf(optics::gaussianGrid(aperture, profile->width, kPixelsAcross));
+        tables.mask = rememberedOrDraft(memo, key, [&](bool isDraft) {
+            return tablesOf(optics::gaussianGrid(aperture, profile->width, kPixelsAcross), isDraft);
         });
     } else if (const auto* mask = std::get_if<optics::MaskAperture>(&aperture)) {
-        tables.mask = rememberedTable(memo, key, [&] { return tablesOf(optics::gridOf(*mask)); });
+        tables.mask = rememberedOrDraft(
+            memo, key, [&](bool isDraft) { return tablesOf(optics::gridOf(*mask), isDraft); });
     }
     key.add(incoming.x).add(incoming.y);
-    tables.shares = *rememberedTable(memo, std::move(key), [&] {
-        const double step_nm =
-            shareStep_nm(openingExtent(aperture), std::holds_alternative<optics::LatticeAperture>(aperture));
+    tables.shares = *rememberedOrDraft(memo, std::move(key), [&](bool isDraft) {
+        const bool isLattice = std::holds_alternative<optics::LatticeAperture>(aperture);
+        const double step_nm = isDraft ? kDraftStep_nm : shareStep_nm(openingExtent(aperture), isLattice);
         return std::make_shared<OpeningShares>(
             step_nm, [aperture, incoming, mask = tables.mask](units::Length wavelength) {
                 return mask ? mask->spectrum.propagatingShare(wavelength, incoming.x, incoming.y)

@@ -24,7 +24,8 @@ struct MaskTables {
     std::vector<float>
         levels;  // as the device looks them up: half of the plane and a margin (shaders/masks.glsl)
 };
-MaskTables tablesOf(const optics::AmplitudeGrid& grid);
+// A draft has half as many points along either axis, where there are no more than 4096: 1e-3 of the peak off.
+MaskTables tablesOf(const optics::AmplitudeGrid& grid, bool isDraft = false);
 
 // The share of the power that propagates, linear between even steps of the wavelength, each of them worked
 // out when it is first asked for: it takes milliseconds.
@@ -54,8 +55,8 @@ struct OpeningTables {
 };
 
 // `profile`: where that of a beam counts across the opening. `incoming`: direction
-// cosines of the beam. `memo` may be null. Precondition: the aperture is no slits, and with a profile a
-// lattice has litCells().
+// cosines of the beam. `memo` may be null; where it wants drafts, new tables are drafts. Precondition: the
+// aperture is no slits, and with a profile a lattice has litCells().
 OpeningTables openingTables(const optics::Aperture& aperture, const std::optional<UnevenBeam>& profile,
                             const glm::dvec2& incoming, TableMemo* memo);
 

@@ -25,11 +25,11 @@ using glm::dvec2;
 using std::numbers::pi;
 using units::m;
 
-// Points of the table along an axis: eight for each pixel, in a table that stays in memory caches and
+// Points of the table along an axis: those wanted for each pixel, in a table that stays in memory caches and
 // textures; four for each where that is not enough.
-std::uint32_t tableSize(std::uint32_t pixels) {
+std::uint32_t tableSize(std::uint32_t pixels, std::uint32_t pointsPerPixel) {
     constexpr std::uint32_t kLargest = 4096;
-    return std::max(std::min(std::bit_ceil(8 * pixels), kLargest), std::bit_ceil(4 * pixels));
+    return std::max(std::min(std::bit_ceil(pointsPerPixel * pixels), kLargest), std::bit_ceil(4 * pixels));
 }
 
 // rows x (columns + 2) reals that FFTW turns, in place, into rows x (columns/2 + 1) complex numbers.
@@ -127,7 +127,7 @@ std::array<double, 4> splineWeights(double t) {
 
 }  // namespace
 
-MaskSpectrum::MaskSpectrum(const AmplitudeGrid& mask)
+MaskSpectrum::MaskSpectrum(const AmplitudeGrid& mask, std::uint32_t pointsPerPixel)
     : extent_(dvec2(mask.columns, mask.rows) * mask.pixel),
       pixel_(mask.pixel),
       peak_(std::pow(
@@ -141,7 +141,8 @@ MaskSpectrum::MaskSpectrum(const AmplitudeGrid& mask)
     const double pixels = 4.0 * mask.columns * mask.rows;
     const auto scale = static_cast<float>(std::pow(pixel_.x * pixel_.y, 2) / (pixels * peak_));
     Grid lags = autocorrelation(mask);
-    const std::uint32_t columns = tableSize(mask.columns), rows = tableSize(mask.rows);
+    const std::uint32_t columns = tableSize(mask.columns, pointsPerPixel);
+    const std::uint32_t rows = tableSize(mask.rows, pointsPerPixel);
     for (std::uint32_t size = std::max(columns, rows); size > 1; size /= 2) {
         Level level{std::min(columns, size), std::min(rows, size), {}};
         const double width = levels_.empty() ? 0.0 : 1.0 / size;

@@ -20,8 +20,9 @@ namespace fringe::optics {
 // 512 pixels).
 class MaskSpectrum {
 public:
-    // Takes the time of two fast Fourier transforms of the table's size. The mask may not be all opaque.
-    explicit MaskSpectrum(const AmplitudeGrid& mask);
+    // Takes the time of two fast Fourier transforms of the table's size, which has at least so many points
+    // for each pixel, up to eight, where that is no more than 4096. The mask may not be all opaque.
+    explicit MaskSpectrum(const AmplitudeGrid& mask, std::uint32_t pointsPerPixel = 8);
 
     // Relative to the peak; `f_per_m` as in transform().
     double relativePower(glm::dvec2 f_per_m) const;

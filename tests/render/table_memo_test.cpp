@@ -166,6 +166,33 @@ TEST(TableMemo, MakesDraftsForAMovingSceneAlone) {
     }
 }
 
+TEST(TableMemo, MakesDraftsOfOpeningsForAMovingSceneAlone) {
+    TableMemo memo;
+    scene::Scene scene = sceneFile("scenes/apertures/wall.json");
+    auto& lattice = std::get<optics::LatticeAperture>(gratingOf(scene, 6).aperture);
+    lattice.firstCount = lattice.secondCount = 2;  // whose tables are made in an instant
+    compile::compileScene(scene, compile::Measure::color, &memo);
+    memo.wantDrafts(true);
+    compile::compileScene(scene, compile::Measure::color, &memo);
+    EXPECT_FALSE(memo.hasDrafts());
+    lattice.secondCount = 3;
+    gratingOf(scene, 1).beam.profile = scene::BeamProfile::gaussian;
+    gratingOf(scene, 1).beam.width = 40.0 * units::um;
+    std::get<optics::MaskAperture>(gratingOf(scene, 7).aperture).pixel = 1.1 * units::um;
+    const compile::CompiledScene draft = compile::compileScene(scene, compile::Measure::color, &memo);
+    EXPECT_TRUE(memo.hasDrafts());
+    memo.wantDrafts(false);
+    const compile::CompiledScene whole = compile::compileScene(scene, compile::Measure::color, &memo);
+    EXPECT_FALSE(memo.hasDrafts());
+    const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
+    EXPECT_TRUE(sameBytes(whole.openingGratings, afresh.openingGratings));
+    EXPECT_TRUE(sameBytes(whole.tables, afresh.tables));
+    // The same pipeline, smaller tables.
+    EXPECT_EQ(compile::specialise(draft, scene.camera), compile::specialise(whole, scene.camera));
+    for (const std::size_t i : {1U, 7U})
+        EXPECT_EQ(2.0F * draft.openingGratings[i].size_um, whole.openingGratings[i].size_um) << i;
+}
+
 // A table that tells how often one was made.
 class Maker {
 public:

@@ -93,11 +93,11 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
 // Lines come after the even steps of a continuous spectrum.
 void findEvenSamples(double step, CompiledScene& out) {
     const dvec3 nodes(device::MEAN_WAVENUMBERS);
-    const double first = out.openingSamples.front().wavenumber;
     std::array<dvec3, 3> means{};
     for (const device::OpeningSample& sample : out.openingSamples) {
         const double wavenumber = sample.wavenumber;
-        if (!(std::abs(wavenumber - (first + out.evenOpeningSamples * step)) < 1e-5 * wavenumber)) break;
+        const double even = out.openingSamples.front().wavenumber + out.evenOpeningSamples * step;
+        if (!(std::abs(wavenumber - even) < 1e-5 * wavenumber)) break;
         ++out.evenOpeningSamples;
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -1,6 +1,6 @@
 // A Vulkan 1.2 device with one compute queue, chosen and ready to work, or a DeviceError that says why not.
-// Everything of Vulkan stays inside src/gpu, src/render's sources and src/preview, which include
-// gpu/vulkan.hpp; failures of the driver leave them as DeviceError.
+// Everything of Vulkan (gpu/vulkan.hpp) stays inside src/gpu, src/preview and what src/render keeps to
+// itself; failures of the driver leave them as DeviceError.
 #pragma once
 
 #include <cstdint>

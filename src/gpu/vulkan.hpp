@@ -1,5 +1,5 @@
-// Vulkan itself, for the sources that call it: its headers take a compiler four seconds, so no header that
-// others include has them.
+// Vulkan itself, for what calls it. Its headers take a compiler four seconds, so headers that the rest of the
+// program needs (gpu/device.hpp, render/renderer.hpp) do without.
 #pragma once
 
 #define VK_NO_PROTOTYPES  // the loader is opened at run time, so that a machine without one gets a message

@@ -131,6 +131,27 @@ glm::dvec3 lightUpTo(double u, const compile::CompiledScene& scene) {
            glm::mix(at(i), at(i + 1), place - static_cast<double>(i));
 }
 
+// A scene with drafts, and with whole tables once none are wanted: these as if there were no memo. Both have
+// the same pipeline.
+struct DraftAndWhole {
+    compile::CompiledScene draft;
+    compile::CompiledScene whole;
+};
+DraftAndWhole draftAndWhole(const scene::Scene& scene, TableMemo& memo) {
+    DraftAndWhole out;
+    out.draft = compile::compileScene(scene, compile::Measure::color, &memo);
+    EXPECT_TRUE(memo.hasDrafts());
+    memo.wantDrafts(false);
+    out.whole = compile::compileScene(scene, compile::Measure::color, &memo);
+    EXPECT_FALSE(memo.hasDrafts());
+    const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
+    EXPECT_TRUE(sameBytes(entriesOf(out.whole.responses), entriesOf(afresh.responses)));
+    EXPECT_TRUE(sameBytes(out.whole.openingGratings, afresh.openingGratings));
+    EXPECT_TRUE(sameBytes(out.whole.tables, afresh.tables));
+    EXPECT_EQ(compile::specialise(out.draft, scene.camera), compile::specialise(out.whole, scene.camera));
+    return out;
+}
+
 // A draft of a table that is there is never made, and none stays where no drafts are wanted.
 TEST(TableMemo, MakesDraftsForAMovingSceneAlone) {
     for (const std::uint32_t count : {2U, 40U, 3000U}) {
@@ -143,16 +164,8 @@ TEST(TableMemo, MakesDraftsForAMovingSceneAlone) {
         EXPECT_FALSE(memo.hasDrafts());
         slitsOf(scene, 1).count = count;
         slitsOf(scene, 1).period = 2.2 * units::um;
-        const compile::CompiledScene draft = compile::compileScene(scene, compile::Measure::color, &memo);
-        EXPECT_TRUE(memo.hasDrafts());
-        memo.wantDrafts(false);
-        const compile::CompiledScene whole = compile::compileScene(scene, compile::Measure::color, &memo);
-        EXPECT_FALSE(memo.hasDrafts());
-        const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
-        EXPECT_TRUE(sameBytes(entriesOf(whole.responses), entriesOf(afresh.responses)));
-        EXPECT_TRUE(sameBytes(whole.tables, afresh.tables));
-        // The same pipeline; a shorter table, of not much else.
-        EXPECT_EQ(compile::specialise(draft, scene.camera), compile::specialise(whole, scene.camera));
+        const auto [draft, whole] = draftAndWhole(scene, memo);
+        // A shorter table, of not much else.
         EXPECT_LT(draft.slitGratings[1].entries, whole.slitGratings[1].entries / 6);
         const device::SlitGrating& fine = whole.slitGratings[1];
         double worst = 0.0;  // of the light up to an entry, as a share of all
@@ -179,16 +192,7 @@ TEST(TableMemo, MakesDraftsOfOpeningsForAMovingSceneAlone) {
     gratingOf(scene, 1).beam.profile = scene::BeamProfile::gaussian;
     gratingOf(scene, 1).beam.width = 40.0 * units::um;
     std::get<optics::MaskAperture>(gratingOf(scene, 7).aperture).pixel = 1.1 * units::um;
-    const compile::CompiledScene draft = compile::compileScene(scene, compile::Measure::color, &memo);
-    EXPECT_TRUE(memo.hasDrafts());
-    memo.wantDrafts(false);
-    const compile::CompiledScene whole = compile::compileScene(scene, compile::Measure::color, &memo);
-    EXPECT_FALSE(memo.hasDrafts());
-    const compile::CompiledScene afresh = compile::compileScene(scene, compile::Measure::color);
-    EXPECT_TRUE(sameBytes(whole.openingGratings, afresh.openingGratings));
-    EXPECT_TRUE(sameBytes(whole.tables, afresh.tables));
-    // The same pipeline, smaller tables.
-    EXPECT_EQ(compile::specialise(draft, scene.camera), compile::specialise(whole, scene.camera));
+    const auto [draft, whole] = draftAndWhole(scene, memo);
     for (const std::size_t i : {1U, 7U})
         EXPECT_EQ(2.0F * draft.openingGratings[i].size_um, whole.openingGratings[i].size_um) << i;
 }

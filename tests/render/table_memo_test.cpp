@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <glm/common.hpp>
+#include <span>
 
 #include "render/rendering.hpp"
 
@@ -19,7 +19,7 @@ using compile::TableMemo;
 
 template <class Element>
 bool sameBytes(const std::vector<Element>& a, const std::vector<Element>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Element)) == 0;
+    return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
 }
 
 scene::Grating& gratingOf(scene::Scene& scene, std::size_t number) {

@@ -14,8 +14,6 @@ namespace {
 using glm::dot;
 using glm::dvec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Where shadow rays to a light end. The shapes of area lights count as shapes.
 Interval lightInterval(const scene::Light& light, dvec3 along) {
     if (std::holds_alternative<scene::EnvironmentLight>(light.model)) return {-kInfinity, kInfinity};

@@ -55,11 +55,6 @@ void setPixelWidth(const scene::Camera& camera, const scene::Image& image, devic
     }
 }
 
-bool isSpecular(const scene::Material& material) {
-    return !std::holds_alternative<scene::Diffuse>(material.model) &&
-           !std::holds_alternative<scene::Emissive>(material.model);
-}
-
 bool isMetal(const scene::Material& material) {
     return std::holds_alternative<scene::Conductor>(material.model) ||
            std::holds_alternative<scene::OpticalDisc>(material.model);

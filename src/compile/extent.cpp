@@ -10,8 +10,6 @@ namespace {
 using glm::dot;
 using glm::dvec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // A disc reaches r sin(angle between its axis and the direction) to either side.
 Interval discInterval(dvec3 center, dvec3 axis, double radius, dvec3 along) {
     const double cosine = dot(axis, along);

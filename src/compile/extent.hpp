@@ -2,12 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 
 #include "scene/scene.hpp"
 
 namespace fringe::compile {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // In metres along a direction. Empty if low > high.
 struct Interval {
@@ -19,6 +23,14 @@ inline Interval around(double middle, double extent) {
 }
 inline Interval join(Interval a, Interval b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+// How far from 0 an interval's points lie, at least and at most.
+inline double nearest(Interval interval) {
+    return std::max({interval.low, -interval.high, 0.0});
+}
+inline double farthest(Interval interval) {
+    return std::max(std::abs(interval.low), std::abs(interval.high));
 }
 
 // What a shape covers along the unit vector `along`, exact.

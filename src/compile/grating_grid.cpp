@@ -17,12 +17,11 @@ namespace {
 using glm::dvec3;
 using Indices = std::vector<device::uint>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMargin =
     1e-5;  // of the largest coordinate, around every cell: far beyond the rounding of a point
 
-constexpr std::size_t kMostCells = std::size_t{1} << 18;    // 64 to a side, where a room is a cube
-constexpr std::size_t kMostEntries = std::size_t{1} << 22;  // of all lists: exact as floats, 16 MiB
+constexpr std::size_t kMostGridCells = std::size_t{1} << 18;  // 64 to a side, where a room is a cube
+constexpr std::size_t kMostEntries = std::size_t{1} << 22;    // of all lists: exact as floats, 16 MiB
 
 // Something matt: its box, and its plane if it is flat.
 struct Receiver {
@@ -220,7 +219,7 @@ void addGratingGrid(const scene::Scene& scene, CompiledScene& out) {
     if (receivers.empty()) return;
     Cells cells;
     Lists lists;
-    for (std::size_t most = kMostCells;; most /= 8) {
+    for (std::size_t most = kMostGridCells;; most /= 8) {
         cells = cellsFor(receivers, gratings, most);
         lists = listsOf(cells, receivers, gratings);
         if (lists.entries.size() <= kMostEntries || most < 8) break;

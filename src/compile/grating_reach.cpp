@@ -15,7 +15,7 @@ using glm::dvec3;
 constexpr double kLongestWave = 1e-9 * optics::kLongestVisible_nm;
 
 // Far beyond the rounding of the shader's tests: some ten operations on coordinates of this size.
-constexpr double kMargin = 1e-5;
+constexpr double kRounding = 1e-5;
 
 // What a region covers along a direction, seen from a point, with the margin.
 Interval seenFrom(const Region& region, dvec3 point, dvec3 along) {
@@ -30,14 +30,7 @@ Interval seenFrom(const Region& region, dvec3 point, dvec3 along) {
         all.low += std::min(a, b);
         all.high += std::max(a, b);
     }
-    return {all.low - kMargin * size, all.high + kMargin * size};
-}
-
-double nearest(Interval interval) {
-    return std::max({interval.low, -interval.high, 0.0});
-}
-double farthest(Interval interval) {
-    return std::max(std::abs(interval.low), std::abs(interval.high));
+    return {all.low - kRounding * size, all.high + kRounding * size};
 }
 
 bool reaches(const device::ThesisGrating& g, const Region& region) {
@@ -65,7 +58,7 @@ bool isInBeam(const device::SlitGrating& g, const Region& region, Interval acros
     const Interval along = seenFrom(region, g.position, g.along);
     const double shift1 = g.betaIn * range.low, shift2 = g.betaIn * range.high;
     const Interval foot{along.low - std::max(shift1, shift2), along.high - std::min(shift1, shift2)};
-    return nearest(foot) <= edge * (1.0 + kMargin);
+    return nearest(foot) <= edge * (1.0 + kRounding);
 }
 
 // Lines in given orders go nowhere else. Other slits send light wherever it propagates.
@@ -79,8 +72,8 @@ bool isInFan(const device::SlitGrating& g, std::span<const float> tables, Interv
         return std::isinf(x) ? std::copysign(1.0, x) : x / std::hypot(x, z);
     };
     const double conical = std::sqrt(1.0 - double{g.betaIn} * g.betaIn);
-    const double low = conical * sine(across.low, false) - g.alphaIn - kMargin;
-    const double high = conical * sine(across.high, true) - g.alphaIn + kMargin;
+    const double low = conical * sine(across.low, false) - g.alphaIn - kRounding;
+    const double high = conical * sine(across.high, true) - g.alphaIn + kRounding;
     const double others = g.count < 16.0F ? 3.5 : 1.5;  // from the nearest order: spectralLines()
     for (device::uint i = 0; i < g.lineCount; ++i) {
         const double perU = g.period_um / tables[g.lines + 4 * i];

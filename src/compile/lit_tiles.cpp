@@ -10,6 +10,7 @@
 
 #include "compile/extent.hpp"
 #include "compile/grating_grid.hpp"
+#include "compile/materials.hpp"
 
 namespace fringe::compile {
 namespace {
@@ -114,11 +115,6 @@ private:
     dvec2 halfSize_;  // of the picture, at distance 1
     double lensRadius_, focus_;
 };
-
-bool isSpecular(const scene::Material& material) {
-    return !std::holds_alternative<scene::Diffuse>(material.model) &&
-           !std::holds_alternative<scene::Emissive>(material.model);
-}
 
 Region boxOf(const scene::Shape& shape) {
     Region box{};

@@ -74,6 +74,11 @@ device::Material emissive(double radiance, device::uint spectrum, bool twoSided)
     return packed;
 }
 
+bool isSpecular(const scene::Material& material) {
+    return !std::holds_alternative<scene::Diffuse>(material.model) &&
+           !std::holds_alternative<scene::Emissive>(material.model);
+}
+
 void addMaterials(const scene::Scene& scene, SpectralTables& tables, CompiledScene& out) {
     for (const scene::Material& each : scene.materials) {
         out.materials.push_back(std::visit(MaterialCompiler{scene, tables, out}, each.model));

@@ -85,19 +85,19 @@ struct OpeningPacker {
 };
 
 // Sums over a lattice's cells of the amplitudes that a beam gives them, and of their squares.
-struct Cells {
+struct CellSums {
     double sum;
     double squares;
 };
 
 // The part of the record that says how a Gaussian beam lights them. `tables`: null where the sums have closed
 // forms, the integrals over a beam that is wide beside a cell.
-Cells packCells(const optics::LatticeAperture& lattice, double beamWidth, const MaskTables* tables,
-                device::OpeningGrating& packed, std::vector<float>& values) {
+CellSums packCells(const optics::LatticeAperture& lattice, double beamWidth, const MaskTables* tables,
+                   device::OpeningGrating& packed, std::vector<float>& values) {
     const LitCells lit = litCells(lattice, beamWidth).value();
     const double area = std::abs(lattice.first.x * lattice.second.y - lattice.first.y * lattice.second.x);
     const double whole = 0.25 * std::numbers::pi * beamWidth * beamWidth / area;
-    Cells cells{whole, 0.5 * whole};
+    CellSums cells{whole, 0.5 * whole};
     packed.isUneven = 1;
     packed.beamRadius_um = toFloat(0.5e6 * beamWidth);
     packed.counts = {toFloat(lit.firstCount), toFloat(lit.secondCount)};
@@ -281,7 +281,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
         std::visit(OpeningPacker{packed, values}, aperture);
         if (const auto* lattice = std::get_if<optics::LatticeAperture>(&aperture);
             lattice != nullptr && profile) {
-            const Cells cells = packCells(*lattice, profile->width, shape.cells.get(), packed, values);
+            const CellSums cells = packCells(*lattice, profile->width, shape.cells.get(), packed, values);
             const double cell = optics::moments(lattice->cell).area;
             area = cell * cells.squares;
             peak = std::pow(cell * cells.sum, 2);

@@ -13,16 +13,8 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kLongestWave = 1e-9 * optics::kLongestVisible_nm;
+constexpr double kLongest = 1e-9 * optics::kLongestVisible_nm;
 constexpr double kHidingRipples = 2.0;  // smears of so many ripples hide them wholly
-
-// How far from 0 an interval's points lie, at least and at most.
-double nearest(Interval interval) {
-    return std::max({interval.low, -interval.high, 0.0});
-}
-double farthest(Interval interval) {
-    return std::max(std::abs(interval.low), std::abs(interval.high));
-}
 
 // A sample's least width on a shape.
 double leastPixel(const scene::Scene& scene, const device::Frame& frame, const scene::Shape& shape) {
@@ -69,11 +61,11 @@ public:
 private:
     // From the axis, with what diffraction spills (SPILL_REACH of shaders/beam.glsl).
     double reach(double range) const {
-        return g_.halfHeight + 0.5 * g_.angularSize * range + 20.0 * std::sqrt(0.5 * kLongestWave * range);
+        return g_.halfHeight + 0.5 * g_.angularSize * range + 20.0 * std::sqrt(0.5 * kLongest * range);
     }
     // Width of one, or of the main lobe of a beam narrower than that.
     double ripple(double range) const {
-        return std::max(std::sqrt(kLongestWave * range), 0.5 * kLongestWave * range / g_.halfHeight);
+        return std::max(std::sqrt(kLongest * range), 0.5 * kLongest * range / g_.halfHeight);
     }
 
     const device::SlitGrating& g_;

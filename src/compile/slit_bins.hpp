@@ -7,7 +7,7 @@
 namespace fringe::compile {
 
 // One bin of wavelengths and what the film records of it, per reflectance.
-struct Bin {
+struct WavelengthBin {
     double wavelength_um;
     double weight;                   // power over the propagating share
     std::vector<glm::dvec3> colors;  // response
@@ -15,8 +15,8 @@ struct Bin {
     BandShare share;
 };
 
-std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
-                                const SpectralTables& tables, double step_nm);
+std::vector<WavelengthBin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
+                                          const SpectralTables& tables, double step_nm);
 
 // Densities, one table of `out.entries` after the other, as the entries that the device reads; sets the
 // units.

@@ -16,12 +16,12 @@
 
 namespace fringe::compile {
 
-std::vector<Bin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
-                                const SpectralTables& tables, double step_nm) {
+std::vector<WavelengthBin> wavelengthBins(const LitSlits& lit, const optics::Spectrum& spectrum,
+                                          const SpectralTables& tables, double step_nm) {
     const auto shares = propagatingShares(lit, step_nm, tables.memo());
-    std::vector<Bin> bins;
+    std::vector<WavelengthBin> bins;
     for (const SpectralSample& sample : continuousSamples(spectrum, step_nm)) {
-        Bin bin{};
+        WavelengthBin bin{};
         bin.wavelength_um = 1e-3 * sample.wavelength_nm;
         bin.weight = sample.power / (*shares)[bins.size()];
         for (std::size_t r = 0; r < tables.reflectances().size(); ++r) {
@@ -43,7 +43,7 @@ class Accumulator {
 public:
     explicit Accumulator(ResponseRows rows) : rows_(rows), sums_(rows.all(), glm::dvec3(0.0)) {}
 
-    void add(const Bin& bin, double value) {
+    void add(const WavelengthBin& bin, double value) {
         for (std::size_t r = 0; r < rows_.reflectances; ++r) {
             const glm::dvec3 color = value * bin.colors[r];
             glm::dvec3* ofReflectance = &sums_[r * rows_.perReflectance()];
@@ -167,7 +167,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
     const double step_nm = zeroOrder ? 400.0 / std::max(400.0, std::ceil(lobes))
                            : isDraft ? kDraftBin_nm
                                      : 0.5;
-    const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, step_nm);
+    const std::vector<WavelengthBin> bins = wavelengthBins(lit, spectrum, tables, step_nm);
 
     const auto below = static_cast<int>(std::ceil((conical + lit.alphaIn) * perU)) + 1;
     const auto above = static_cast<int>(std::ceil((conical - lit.alphaIn) * perU)) + 1;
@@ -188,7 +188,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
 
     // The spectrum is straight between the bins' wavelengths; what one of them stands for, in turns.
     std::vector<double> turnsPerU;
-    for (const Bin& bin : bins) turnsPerU.push_back(period_um / bin.wavelength_um);
+    for (const WavelengthBin& bin : bins) turnsPerU.push_back(period_um / bin.wavelength_um);
     const auto hatOf = [&](std::size_t i, double u) {
         const double shorter = turnsPerU[i > 0 ? i - 1 : i] * u,
                      longer = turnsPerU[i + 1 < bins.size() ? i + 1 : i] * u;
@@ -203,7 +203,7 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         return oneSlit * integrals.diffracted(hatOf(i, u), u > lastLobe);
     };
     const auto givenOrders = [&](std::size_t i, double u) {
-        const Bin& bin = bins[i];
+        const WavelengthBin& bin = bins[i];
         const Hat hat = hatOf(i, u);
         double sum = 0.0;
         for (std::size_t k = 0; k < lit.orders.size(); ++k) {

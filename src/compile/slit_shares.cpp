@@ -11,12 +11,12 @@ namespace {
 
 // Of drafts: the share of more slits differs by 1e-3 and less, and so do straight lines between.
 constexpr std::uint32_t kDraftSlits = 256;
-constexpr double kDraftStep_nm = 8.0;
+constexpr double kDraftWaveStep_nm = 8.0;
 
 std::vector<double> makeShares(LitSlits lit, double step_nm, bool isDraft) {
     const auto last =
         static_cast<int>(std::lround((optics::kLongestVisible_nm - optics::kShortestVisible_nm) / step_nm));
-    const int stride = isDraft ? std::max(1, static_cast<int>(kDraftStep_nm / step_nm)) : 1;
+    const int stride = isDraft ? std::max(1, static_cast<int>(kDraftWaveStep_nm / step_nm)) : 1;
     if (isDraft) lit.slits.count = std::min(lit.slits.count, kDraftSlits);
     std::vector<double> shares(static_cast<std::size_t>(last) + 1);
     const auto at = [&](int i) -> double& { return shares[static_cast<std::size_t>(i)]; };

@@ -25,11 +25,11 @@ SlitResponse orderResponse(const LitSlits& lit, const optics::Spectrum& spectrum
                            const SpectralTables& tables) {
     constexpr double kStep_um = kRange_um / (kOrderEntries - 1);
     constexpr auto kLast = static_cast<std::size_t>(kOrderEntries - 1);
-    const std::vector<Bin> bins = wavelengthBins(lit, spectrum, tables, 1e3 * kStep_um);
+    const std::vector<WavelengthBin> bins = wavelengthBins(lit, spectrum, tables, 1e3 * kStep_um);
     const ResponseRows rows = tables.responseRows();
     std::vector<glm::vec3> density(rows.all() * kOrderEntries);
     for (std::size_t i = 0; i < bins.size(); ++i) {
-        const Bin& bin = bins[i];
+        const WavelengthBin& bin = bins[i];
         const double perStep = i == 0 || i == kLast ? 2.0 : 1.0;  // the outermost bins are half as wide
         for (std::size_t r = 0; r < bin.colors.size(); ++r) {
             const glm::dvec3 color = perStep * bin.weight / kStep_um * bin.colors[r];
@@ -67,7 +67,7 @@ std::vector<device::ResponseEntry> waveList(const LitSlits& lit, const optics::S
     const std::size_t reflectances = tables.reflectances().size();
     const double step_um = kRange_um / (count - 1.0);
     std::vector<glm::dvec3> colors(reflectances * count, glm::dvec3(0.0));
-    for (const Bin& bin : wavelengthBins(lit, spectrum, tables, 0.5)) {
+    for (const WavelengthBin& bin : wavelengthBins(lit, spectrum, tables, 0.5)) {
         const double place = (bin.wavelength_um - kFirst_um) / step_um;
         const auto i = std::min(static_cast<std::size_t>(place), std::size_t{count} - 2);
         const double next = place - static_cast<double>(i);

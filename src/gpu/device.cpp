@@ -13,7 +13,6 @@
 #include "gpu/vulkan.hpp"
 
 namespace fringe::gpu {
-namespace {
 
 // What the validation layer says; the driver calls add() from any thread.
 class ValidationLog {
@@ -31,6 +30,8 @@ private:
     mutable std::mutex mutex_;
     std::vector<std::string> texts_;
 };
+
+namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 constexpr std::uint32_t kStorageBuffers = 16;  // bindings 1..16 of shaders/bindings.glsl

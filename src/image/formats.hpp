@@ -11,6 +11,8 @@
 
 namespace fringe::image {
 
+enum class Format { png, exr };
+
 std::unique_ptr<Writer> openPngWriter(const std::filesystem::path& path, std::uint32_t width,
                                       std::uint32_t height, const OutputOptions& options);
 std::unique_ptr<Writer> openExrWriter(const std::filesystem::path& path, std::uint32_t width,

@@ -16,15 +16,13 @@ namespace {
 
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-enum class Format { png, exr };
-
-std::string reason(int error) {
+std::string cannotBeRead(int error) {
     return "cannot be read: " + std::generic_category().message(error);
 }
 
 Stream openForReading(const std::filesystem::path& path) {
     Stream stream(std::fopen(path.c_str(), "rbe"), &std::fclose);
-    if (!stream) throw FileError(path, reason(errno));
+    if (!stream) throw FileError(path, cannotBeRead(errno));
     return stream;
 }
 
@@ -34,7 +32,7 @@ Format formatOf(std::FILE* stream, const std::filesystem::path& path) {
     std::array<char, 8> bytes{};
     const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), stream);
     if (std::ferror(stream) != 0 || std::fseek(stream, 0, SEEK_SET) != 0)
-        throw FileError(path, reason(errno));
+        throw FileError(path, cannotBeRead(errno));
     const std::string_view start(bytes.data(), size);
     if (start == "\x89PNG\r\n\x1A\n"sv) return Format::png;
     if (start.substr(0, 4) == "\x76\x2F\x31\x01"sv) return Format::exr;

@@ -13,8 +13,6 @@
 namespace fringe::image {
 namespace {
 
-enum class Format { png, exr };
-
 Format formatOf(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),

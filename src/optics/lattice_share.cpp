@@ -14,9 +14,6 @@ namespace {
 
 using glm::dvec2;
 
-// Above this many wavelengths across, quadrature over all directions takes longer than a frame.
-constexpr double kLargestExtent = 60.0;
-
 // The finite lattice that c1 or c2 is found from has at most this many cells.
 constexpr std::uint32_t kMostFinite = 8;
 

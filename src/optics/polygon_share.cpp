@@ -26,13 +26,6 @@ constexpr std::size_t kFewVertices = 6;
 constexpr std::size_t kMostWithDiagonals = 12;
 constexpr double kLargestKink = 40.0;
 
-// Above this many wavelengths across, quadrature over all directions takes longer than a frame.
-constexpr double kLargestExtent = 60.0;
-
-double cross(dvec2 a, dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 // z^2 times the integral of cos(t)/t^3 from z on.
 double cubeIntegral(double z) {
     if (z < 1e-12) return 0.5;
@@ -46,7 +39,8 @@ double beyond(const PolygonalAperture& polygon, dvec2 direction, double least, s
     const std::size_t count = polygon.vertices.size();
     for (std::size_t i = 0; i < count; ++i) {
         const dvec2 edge = polygon.vertices[(i + 1) % count] - polygon.vertices[i];
-        const double slope = cross(direction, edge) / glm::dot(direction, edge);
+        const double slope =
+            (direction.x * edge.y - direction.y * edge.x) / glm::dot(direction, edge);  // cross / dot
         weights[i] += slope;
         weights[(i + 1) % count] -= slope;
         places[i] = least * glm::dot(direction, polygon.vertices[i]);

@@ -29,6 +29,9 @@ double shareOf(const PolygonalAperture& polygon, const Incidence& in);
 double shareOf(const LatticeAperture& lattice, const Incidence& in);
 double shareOf(const MaskAperture& mask, const Incidence& in);
 
+// Above this many wavelengths across, quadrature over all directions takes longer than a frame.
+inline constexpr double kLargestExtent = 60.0;
+
 // By quadrature over the propagating directions: 1e-8, in time that grows as the square of `extent`, the
 // aperture's largest diameter in metres.
 double shareByQuadrature(const Aperture& aperture, double extent, const Incidence& in);

@@ -7,6 +7,7 @@
 #include "oracle/fresnel.hpp"
 #include "oracle/lighting.hpp"
 #include "oracle/metals.hpp"
+#include "oracle/sinc.hpp"
 
 namespace fringe::oracle {
 namespace {
@@ -17,10 +18,6 @@ using units::nm, units::um;
 
 double squared(double x) {
     return x * x;
-}
-
-double sinc(double x) {
-    return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x);
 }
 
 // A disc at one wavelength; directions are those away from the surface, by their cosines across and along the

@@ -26,7 +26,7 @@ std::optional<EmitterPoint> flatPoint(const dvec3& position, const dvec3& normal
     return EmitterPoint{position, std::abs(height) / distance * area / (distance * distance)};
 }
 
-std::optional<EmitterPoint> sampled(const scene::Rectangle& rectangle, bool twoSided, const dvec3& observer,
+std::optional<EmitterPoint> pointOf(const scene::Rectangle& rectangle, bool twoSided, const dvec3& observer,
                                     const glm::dvec2& u) {
     const auto& [center, halfU, halfV] = rectangle;
     const dvec3 position = center + (2.0 * u.x - 1.0) * halfU + (2.0 * u.y - 1.0) * halfV;
@@ -34,7 +34,7 @@ std::optional<EmitterPoint> sampled(const scene::Rectangle& rectangle, bool twoS
 }
 
 // A hole takes its share of the squared radius.
-std::optional<EmitterPoint> sampled(const scene::Disc& disc, bool twoSided, const dvec3& observer,
+std::optional<EmitterPoint> pointOf(const scene::Disc& disc, bool twoSided, const dvec3& observer,
                                     const glm::dvec2& u) {
     const glm::dvec2 onUnit = onUnitDisc(u);
     const double squaredRadius = dot(onUnit, onUnit);
@@ -48,7 +48,7 @@ std::optional<EmitterPoint> sampled(const scene::Disc& disc, bool twoSided, cons
 // From outside, a sphere fills a cone of directions about its centre, whose projection along the cone's axis
 // is a disc of radius sin(half angle): uniform there, and 1 / cosine more solid angle the further a direction
 // is from the axis. From inside it fills every direction.
-std::optional<EmitterPoint> sampled(const scene::Sphere& sphere, bool twoSided, const dvec3& observer,
+std::optional<EmitterPoint> pointOf(const scene::Sphere& sphere, bool twoSided, const dvec3& observer,
                                     const glm::dvec2& u) {
     const dvec3 toCenter = sphere.center - observer;
     const double distance = length(toCenter);
@@ -92,8 +92,8 @@ std::optional<EmitterPoint> pointOn(const scene::Shape& shape, bool twoSided, co
                                     const glm::dvec2& u) {
     return std::visit(
         [&](const auto& s) -> std::optional<EmitterPoint> {
-            if constexpr (requires { sampled(s, twoSided, observer, u); })
-                return sampled(s, twoSided, observer, u);
+            if constexpr (requires { pointOf(s, twoSided, observer, u); })
+                return pointOf(s, twoSided, observer, u);
             return {};
         },
         shape);

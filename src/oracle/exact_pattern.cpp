@@ -11,7 +11,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-double sinc(double x) {
+double sincSize(double x) {
     return x == 0.0 ? 1.0 : std::sin(pi * (x - std::nearbyint(x))) / (pi * x);  // but for the sign
 }
 
@@ -47,7 +47,7 @@ Complex secondDifference(std::array<double, 3> phase) {
 }  // namespace
 
 double slitPattern(double x) {
-    const double amplitude = sinc(x);
+    const double amplitude = sincSize(x);
     return amplitude * amplitude;
 }
 

@@ -33,7 +33,7 @@ struct Row {
 };
 
 // Every "wavelength_nm,n,k" of the table; comments and column names are what does not start with a number.
-std::vector<Row> parsed(std::string_view table) {
+std::vector<Row> parsedIndices(std::string_view table) {
     std::vector<Row> rows;
     std::istringstream text{std::string(table)};
     for (std::string line; std::getline(text, line);) {
@@ -50,8 +50,8 @@ std::vector<Row> parsed(std::string_view table) {
 // Tables of all metals, by their number.
 const std::vector<Row>& rowsOf(scene::Metal metal) {
     static const std::array<std::vector<Row>, 4> tables{
-        parsed(table(scene::Metal::aluminium)), parsed(table(scene::Metal::silver)),
-        parsed(table(scene::Metal::gold)), parsed(table(scene::Metal::copper))};
+        parsedIndices(table(scene::Metal::aluminium)), parsedIndices(table(scene::Metal::silver)),
+        parsedIndices(table(scene::Metal::gold)), parsedIndices(table(scene::Metal::copper))};
     return tables[static_cast<std::size_t>(metal)];
 }
 

@@ -7,6 +7,7 @@
 
 #include "oracle/beam.hpp"
 #include "oracle/quadrature.hpp"
+#include "oracle/sinc.hpp"
 
 namespace fringe::oracle {
 namespace {
@@ -14,11 +15,6 @@ namespace {
 using Complex = std::complex<double>;
 using glm::dvec2;
 using std::numbers::pi;
-
-double sinc(double x) {
-    const double y = pi * x;
-    return std::abs(y) < 1e-8 ? 1.0 : std::sin(y) / y;
-}
 
 // A panel of Gauss's rule takes a turn and a half, to 1e-14.
 std::size_t panels(double length, double turnsPerMetre) {

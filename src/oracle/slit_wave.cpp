@@ -8,6 +8,7 @@
 
 #include "oracle/beam.hpp"
 #include "oracle/quadrature.hpp"
+#include "oracle/sinc.hpp"
 #include "oracle/spectral.hpp"
 
 namespace fringe::oracle {
@@ -23,11 +24,6 @@ constexpr double kNarrow = 20e-6;
 
 // More slits than this do not change the share that propagates: 2 / (pi^2 count) of an order at the horizon.
 constexpr std::uint32_t kManySlits = 2000;
-
-double sinc(double x) {
-    const double y = pi * x;
-    return std::abs(y) < 1e-8 ? 1.0 : std::sin(y) / y;
-}
 
 // Power per metre of a slit at `x`, relative to the irradiance at the beam's middle.
 double chordPower(const scene::Beam& beam, double x) {

@@ -26,9 +26,9 @@ constexpr double kLabelFoot = 21.0;     // where they stand above the frame
 constexpr double kHeadroom = 1.06;      // the frame is this much higher than the curve
 
 // Draws a chart.
-class Drawing : Canvas {
+class ChartDrawing : Canvas {
 public:
-    Drawing(const Canvas& canvas, const Chart& chart)
+    ChartDrawing(const Canvas& canvas, const Chart& chart)
         : Canvas(canvas),
           cr_(canvas.context()),
           chart_(chart),
@@ -197,7 +197,7 @@ double highestShown(std::span<const double> y, std::span<const double> reference
 
 void writeChart(const std::filesystem::path& path, const Chart& chart) {
     assert(chart.x.size() >= 2 && chart.x.size() == chart.y.size());
-    writeDrawing(path, [&](const Canvas& canvas) { Drawing(canvas, chart).run(); });
+    writeDrawing(path, [&](const Canvas& canvas) { ChartDrawing(canvas, chart).run(); });
 }
 
 }  // namespace fringe::plot

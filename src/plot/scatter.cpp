@@ -14,8 +14,6 @@
 namespace fringe::plot {
 namespace {
 
-constexpr double kLeft = 88.0, kRight = kWidth - 230.0, kTop = 60.0, kBottom = kHeight - 60.0;
-constexpr double kLegend = kRight + 20.0;
 constexpr double kRadius = 3.5;
 
 // Told apart in light print and by most who see colours otherwise (Okabe and Ito, 2008).
@@ -53,9 +51,12 @@ std::string powerOfTen(double exponent) {
                                         : fmt::format("1e{:.0f}", exponent);
 }
 
-class Drawing : Canvas {
+class ScatterDrawing : Canvas {
+    static constexpr double kLeft = 88.0, kRight = kWidth - 230.0, kTop = 60.0, kBottom = kHeight - 60.0;
+    static constexpr double kLegend = kRight + 20.0;
+
 public:
-    Drawing(const Canvas& canvas, const Scatter& scatter)
+    ScatterDrawing(const Canvas& canvas, const Scatter& scatter)
         : Canvas(canvas), cr_(canvas.context()), scatter_(scatter) {
         for (const ScatterSeries& series : scatter.series) {
             for (const ScatterPoint& point : series.points) {
@@ -162,7 +163,7 @@ private:
 void writeScatter(const std::filesystem::path& path, const Scatter& scatter) {
     assert(std::any_of(scatter.series.begin(), scatter.series.end(),
                        [](const ScatterSeries& series) { return !series.points.empty(); }));
-    writeDrawing(path, [&](const Canvas& canvas) { Drawing(canvas, scatter).run(); });
+    writeDrawing(path, [&](const Canvas& canvas) { ScatterDrawing(canvas, scatter).run(); });
 }
 
 }  // namespace fringe::plot

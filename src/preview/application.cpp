@@ -1,4 +1,3 @@
-#define GLFW_INCLUDE_NONE
 #include "preview/application.hpp"
 
 #include <GLFW/glfw3.h>

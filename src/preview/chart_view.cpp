@@ -20,9 +20,9 @@ constexpr ImU32 kVeil = IM_COL32(250, 250, 250, 200);  // behind labels
 constexpr ImU32 kMark = IM_COL32(190, 75, 50, 255);
 constexpr double kHeadroom = 1.08;
 
-class View {
+class Frame {
 public:
-    View(const plot::Chart& chart, ImVec2 origin, ImVec2 size)
+    Frame(const plot::Chart& chart, ImVec2 origin, ImVec2 size)
         : chart_(chart),
           list_(ImGui::GetWindowDrawList()),
           origin_(origin),
@@ -163,7 +163,7 @@ private:
 }  // namespace
 
 std::optional<std::size_t> drawChart(const plot::Chart& chart, float width, float height) {
-    const View view(chart, ImGui::GetCursorScreenPos(), {width, height});
+    const Frame view(chart, ImGui::GetCursorScreenPos(), {width, height});
     ImGui::Dummy({width, height});
     view.draw();
     return view.hovered();

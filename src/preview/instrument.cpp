@@ -15,7 +15,7 @@ using glm::dvec3;
 constexpr double kDiode = 2e-5;  // metres that a point stands for
 constexpr std::uint32_t kSamples = 1000;
 
-constexpr std::array<KeyHelp, 4> kHelp{
+constexpr std::array<KeyHelp, 4> kInstrumentKeys{
     {{"I", "instrument on and off; while it is on:"},
      {"  click on a surface", "irradiance and spectrum there, orders of the gratings"},
      {"  left button, drag", "the profile along a line on a surface"},
@@ -148,7 +148,7 @@ std::optional<Instrument::Export> Instrument::exported() const {
 }
 
 std::span<const KeyHelp> instrumentHelp() {
-    return kHelp;
+    return kInstrumentKeys;
 }
 
 }  // namespace fringe::preview

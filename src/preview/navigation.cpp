@@ -1,4 +1,3 @@
-#define GLFW_INCLUDE_NONE
 #include "preview/navigation.hpp"
 
 #include <GLFW/glfw3.h>
@@ -43,13 +42,14 @@ constexpr std::array<ViewKey, 6> kViewKeys{{{GLFW_KEY_1, Side::front},
                                             {GLFW_KEY_5, Side::left},
                                             {GLFW_KEY_6, Side::bottom}}};
 
-constexpr std::array<KeyHelp, 7> kHelp{{{"left mouse button", "orbit around the target"},
-                                        {"middle button, or Shift and left", "pan"},
-                                        {"right button, or wheel", "dolly to the target and back"},
-                                        {"W A S D, E Q", "fly: forward, left, back, right, up, down"},
-                                        {"1 2 3", "look from the front, the right, the top"},
-                                        {"4 5 6", "from the back, the left, the bottom"},
-                                        {"H", "home: the camera of the scene file"}}};
+constexpr std::array<KeyHelp, 7> kNavigationKeys{
+    {{"left mouse button", "orbit around the target"},
+     {"middle button, or Shift and left", "pan"},
+     {"right button, or wheel", "dolly to the target and back"},
+     {"W A S D, E Q", "fly: forward, left, back, right, up, down"},
+     {"1 2 3", "look from the front, the right, the top"},
+     {"4 5 6", "from the back, the left, the bottom"},
+     {"H", "home: the camera of the scene file"}}};
 
 bool hasKeyboard() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -108,7 +108,7 @@ bool isFlying(const Window& window) {
 }
 
 std::span<const KeyHelp> navigationHelp() {
-    return kHelp;
+    return kNavigationKeys;
 }
 
 }  // namespace fringe::preview

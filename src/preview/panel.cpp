@@ -13,14 +13,14 @@
 namespace fringe::preview {
 namespace {
 
-constexpr float kWidth = 340.0F;    // of the panel, before scaling
-constexpr float kLabels = -110.0F;  // what values leave for them
+constexpr float kPanelWidth = 340.0F;  // of the panel, before scaling
+constexpr float kLabels = -110.0F;     // what values leave for them
 
-constexpr std::array<KeyHelp, 5> kHelp{{{"Tab", "panel"},
-                                        {"? or F1", "these keys"},
-                                        {"P", "save the picture, as PNG and EXR"},
-                                        {"Ctrl and S", "save the changed scene"},
-                                        {"Ctrl and Q", "quit"}}};
+constexpr std::array<KeyHelp, 5> kPanelKeys{{{"Tab", "panel"},
+                                             {"? or F1", "these keys"},
+                                             {"P", "save the picture, as PNG and EXR"},
+                                             {"Ctrl and S", "save the changed scene"},
+                                             {"Ctrl and Q", "quit"}}};
 
 void drawLegend() {
     for (const Decade& decade : decades()) {
@@ -140,7 +140,7 @@ void drawKeys(Settings& settings, int left) {
         };
         for (const KeyHelp& help : navigationHelp()) row(help);
         for (const KeyHelp& help : instrumentHelp()) row(help);
-        for (const KeyHelp& help : kHelp) row(help);
+        for (const KeyHelp& help : kPanelKeys) row(help);
         ImGui::EndTable();
     }
     ImGui::End();
@@ -171,7 +171,7 @@ void drawMessages(const Facts& facts, int left) {
 }  // namespace
 
 int panelWidth(const Settings& settings, float scale) {
-    return settings.showsPanel ? static_cast<int>(kWidth * scale) : 0;
+    return settings.showsPanel ? static_cast<int>(kPanelWidth * scale) : 0;
 }
 
 PanelActions drawPanel(Settings& settings, Document& document, const Facts& facts, float scale) {

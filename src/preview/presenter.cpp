@@ -1,7 +1,5 @@
 #include "preview/presenter.hpp"
 
-// Vulkan comes first: GLFW then declares what it has for it.
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_vulkan.h>
 #include <fmt/format.h>

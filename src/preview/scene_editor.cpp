@@ -30,9 +30,8 @@ void explain(const Schema& schema) {
     if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
     std::string text = schema.description;
     if (isDirection(schema)) {
-        text +=
-            (text.empty() ? "" : "\n") +
-            std::string("Here by two angles: around the vertical, from +z on to +x, and above the horizon.");
+        if (!text.empty()) text += '\n';
+        text += "Here by two angles: around the vertical, from +z on to +x, and above the horizon.";
     }
     if (text.empty()) return;
     ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetItemRectMin().y});

@@ -1,4 +1,3 @@
-#define GLFW_INCLUDE_NONE
 #include "preview/window.hpp"
 
 #include <GLFW/glfw3.h>

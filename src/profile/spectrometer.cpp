@@ -19,7 +19,7 @@ constexpr double kNanometres = 1e9;
 // Below this share of the highest irradiance a maximum is left out if its light is of another wavelength than
 // its place says, by more than so many times its reach.
 constexpr double kWeak = 0.02;
-constexpr double kSideLobeReach = 2.0;
+constexpr double kStrayReach = 2.0;
 
 const scene::Grating& gratingOf(const scene::Light& light) {
     const auto* grating = std::get_if<scene::Grating>(&light.model);
@@ -225,7 +225,7 @@ std::vector<SpectralMaximum> readMaxima(const Samples& samples, const Spectromet
                                                  nmPerSine * ownFootprint * evenly, pull_nm);
         const double reach_nm =
             std::max(0.5 * width_nm, nmPerSine * spectrometer->diffraction(wavelength_nm));
-        if (maximum.value < weak && std::abs(wavelength_nm - mean_nm) > kSideLobeReach * reach_nm) continue;
+        if (maximum.value < weak && std::abs(wavelength_nm - mean_nm) > kStrayReach * reach_nm) continue;
         entries.push_back({result.size(), point, reach_nm});
         result.push_back({maximum, Reading{order, wavelength_nm, uncertainty_nm, width_nm, {}}});
     }

@@ -18,7 +18,7 @@ constexpr std::string_view kSmallest = "smallest shader", kEverything = "everyth
 
 // The same picture, but for what the pipeline's test allows too (tests/render/pipelines_test.cpp): a compiler
 // may arrange sums otherwise, and a rounding decides what a pixel on a silhouette shows.
-constexpr double kMostWrong = 1e-3;
+constexpr double kMostUnlike = 1e-3;
 
 // Compiling takes long and varies little.
 constexpr int kMostCompilations = 3;
@@ -119,7 +119,7 @@ private:
             if (pipeline.name == kSmallest) continue;
             if (pipeline.name == kRoom) room = picture;
             pipeline.error = pictureError(picture, room);
-            pipeline.verified = pipeline.error.wrong <= kMostWrong;
+            pipeline.verified = pipeline.error.wrong <= kMostUnlike;
         }
     }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "oracle/sampler.hpp"
 
@@ -45,5 +46,13 @@ private:
     std::uint64_t key_;
     std::uint64_t next_ = 0;
 };
+
+// Vectors among the numbers that an evaluation gets or gives.
+inline glm::dvec3 at(std::span<const float> numbers, std::size_t i) {
+    return {numbers[i], numbers[i + 1], numbers[i + 2]};
+}
+inline void put(std::span<float> numbers, std::size_t i, const glm::dvec3& v) {
+    for (int k = 0; k < 3; ++k) numbers[i + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
+}
 
 }  // namespace fringe::qualify

@@ -24,7 +24,7 @@ std::string areaLight(std::string_view lamp) {
 constexpr const char* kLaser =
     R"("efficiency": 1, "beam": {"diameter": "1 mm", "power": "1 mW",
                                  "spectrum": {"type": "laser", "wavelength": "632.8 nm"}})";
-constexpr const char* kDaylight =
+constexpr const char* kDaylightBeam =
     R"("efficiency": 1, "beam": {"diameter": "1 mm", "power": "1 mW", "spectrum": "D65"})";
 constexpr const char* kThesis = R"("model": "thesis", "beam": {"diameter": "200 mm"})";
 constexpr const char* kThreeSlits = R"("type": "slits", "count": 3, "width": "1 um", "period": "2 um")";
@@ -90,7 +90,7 @@ std::vector<SkipFeature> makeFeatures() {
          .light = R"({"type": "environment", "radiance": "1e-12 W/m^2/sr"})"},
         {.name = "thesis gratings", .without = kRoom, .light = grating(kThreeSlits, kThesis)},
         {.name = kSlits, .without = kRoom, .light = grating(kThreeSlits, kLaser)},
-        {.name = "spectral tables", .without = kSlits, .light = grating(kThreeSlits, kDaylight)},
+        {.name = "spectral tables", .without = kSlits, .light = grating(kThreeSlits, kDaylightBeam)},
         {.name = "round apertures",
          .without = kRoom,
          .light = grating(R"("type": "circle", "diameter": "50 um")", kLaser)},

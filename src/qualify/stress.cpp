@@ -15,7 +15,7 @@ namespace {
 
 // Evaluations of one dispatch: a fraction of a second of the slowest, 16 MiB of inputs of the widest.
 constexpr std::uint64_t kBatch = std::uint64_t{1} << 17;
-constexpr std::uint64_t kGroup = 64;  // local_size_x of the probes
+constexpr std::uint64_t kProbeGroup = 64;  // local_size_x of the probes
 
 // work(thread, first, end) for shares of 0..count-1.
 template <class Work>
@@ -89,7 +89,8 @@ StressReport stress(const gpu::Device& device, const StressCase& stressCase, con
     const auto start = std::chrono::steady_clock::now();
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     const std::size_t width = stressCase.inputs.size(), resultWidth = stressCase.results;
-    const std::uint64_t batch = std::min(kBatch, (request.count + kGroup - 1) / kGroup * kGroup);
+    const std::uint64_t batch =
+        std::min(kBatch, (request.count + kProbeGroup - 1) / kProbeGroup * kProbeGroup);
 
     // Drawn here and copied: what the device maps may be slow to read.
     std::vector<float> inputs(batch * width);
@@ -114,7 +115,7 @@ StressReport stress(const gpu::Device& device, const StressCase& stressCase, con
         });
         std::memcpy(given.mapped().data(), bytes.data(), bytes.size());
         const gpu::Groups origin{0, 0, 0};
-        kernel.run({&origin, 1}, {static_cast<std::uint32_t>(batch / kGroup), 1, 1});
+        kernel.run({&origin, 1}, {static_cast<std::uint32_t>(batch / kProbeGroup), 1, 1});
         inParallel(threads, std::min(batch, request.count - first),
                    [&](unsigned thread, std::uint64_t from, std::uint64_t to) {
                        for (std::uint64_t i = from; i < to; ++i)

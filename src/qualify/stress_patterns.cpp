@@ -98,12 +98,12 @@ void drawRectangle(Draw& draw, std::span<float> inputs) {
     }
 }
 
-double rectangle(Inputs in) {
+double rectanglePattern(Inputs in) {
     return oracle::slitPattern(double{in[0]} * in[2]) * oracle::slitPattern(double{in[1]} * in[3]);
 }
 
 // Diameter times frequency; the shader has a seam at 1.25.
-void drawDisc(Draw& draw, std::span<float> inputs) {
+void drawAiry(Draw& draw, std::span<float> inputs) {
     inputs[0] = static_cast<float>(draw.oneIn(8)   ? std::abs(nearZero(draw))
                                    : draw.oneIn(8) ? draw.between(1.2499, 1.2501)
                                                    : draw.magnitude(1e-4, 1e7));
@@ -242,10 +242,10 @@ double row(Inputs in) {
     const double turns = in[0];
     return oracle::arrayPattern(turns - std::nearbyint(turns), in[1]);
 }
-double disc(Inputs in) {
+double airyPattern(Inputs in) {
     return oracle::discPattern(in[0]);
 }
-double ring(Inputs in) {
+double ringPattern(Inputs in) {
     return oracle::discPattern(in[0], in[1]);
 }
 
@@ -284,12 +284,12 @@ std::vector<StressCase> patternCases() {
          judged<slits>,
          kFullCount},
         {"rectangle", "slitFactor of both sides, phase.glsl", 1e-6, kSines, shader, 4, rectangle_, 1,
-         drawRectangle, judged<rectangle>, kFullCount},
+         drawRectangle, judged<rectanglePattern>, kFullCount},
         {"circle", "circlePattern, apertures.glsl", 1e-6, "airyAmplitude errs by 3e-7 of the amplitude",
-         shader, 5, disc_, 1, drawDisc, judged<disc>, kFullCount},
+         shader, 5, disc_, 1, drawAiry, judged<airyPattern>, kFullCount},
         {"ring", "ringPattern, apertures.glsl", 5e-5,
-         "two discs, 3e-7 of the amplitude each, over 1 - 0.99^2", shader, 6, disc_, 1, drawDisc,
-         judged<ring>, kFullCount},
+         "two discs, 3e-7 of the amplitude each, over 1 - 0.99^2", shader, 6, disc_, 1, drawAiry,
+         judged<ringPattern>, kFullCount},
         {"edges", "stripIntensity, fresnel.glsl", 5e-6,
          "fresnelAuxiliary errs by 5e-7 of the amplitude, twice", shader, 7, strip_, 1, drawNearStrip,
          judged<strip>, kFullCount},

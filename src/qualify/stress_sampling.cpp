@@ -19,13 +19,6 @@ using glm::dvec2;
 using glm::dvec3;
 using Inputs = std::span<const float>;
 
-dvec3 at(Inputs in, std::size_t i) {
-    return {in[i], in[i + 1], in[i + 2]};
-}
-void put(std::span<float> inputs, std::size_t i, const dvec3& v) {
-    for (int k = 0; k < 3; ++k) inputs[i + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
-}
-
 // The worst of several results.
 Judgement worst(std::initializer_list<Judgement> all) {
     return *std::max_element(all.begin(), all.end(),
@@ -124,14 +117,14 @@ Judgement judgeRing(Inputs in, Inputs results) {
 }
 
 // About the poles, where one or the other branch divides by next to nothing.
-dvec3 anyDirection(Draw& draw) {
+dvec3 anyOrPole(Draw& draw) {
     if (draw.oneIn(2)) return draw.direction();
     const double tilt = draw.oneIn(4) ? 0.0 : draw.magnitude(1e-38, 0.1);
     return glm::normalize(dvec3(tilt * draw.between(-1.0, 1.0), tilt * draw.between(-1.0, 1.0), draw.sign()));
 }
 
 void drawFrame(Draw& draw, std::span<float> inputs) {
-    put(inputs, 0, anyDirection(draw));
+    put(inputs, 0, anyOrPole(draw));
 }
 
 Judgement judgeFrame(Inputs in, Inputs results) {

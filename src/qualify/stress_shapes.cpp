@@ -18,7 +18,7 @@ namespace {
 using glm::dvec3;
 using Inputs = std::span<const float>;
 
-enum Kind : std::uint32_t {
+enum class Kind : std::uint32_t {
     plane,
     rectangle,
     disc,
@@ -31,15 +31,8 @@ enum Kind : std::uint32_t {
     cone
 };
 
-void put(std::span<float> inputs, std::size_t at, const dvec3& v) {
-    for (int i = 0; i < 3; ++i) inputs[at + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
-}
-dvec3 at(Inputs in, std::size_t i) {
-    return {in[i], in[i + 1], in[i + 2]};
-}
-
 // Of any direction, or along an axis, or a rounding away from one.
-dvec3 anyDirection(Draw& draw) {
+dvec3 anyOrAxis(Draw& draw) {
     if (!draw.oneIn(4)) return draw.direction();
     dvec3 direction(0.0);
     direction[static_cast<int>(draw.below(3))] = draw.sign();
@@ -68,7 +61,7 @@ void drawRay(Draw& draw, std::span<float> inputs, const dvec3& middle, const dve
     dvec3 origin = target + size * draw.magnitude(1e-3, 1e3) * draw.direction();
     if (draw.oneIn(4)) origin = inShape(1.0);
     dvec3 direction = glm::normalize(target - origin);
-    if (draw.oneIn(4)) direction = anyDirection(draw);
+    if (draw.oneIn(4)) direction = anyOrAxis(draw);
     if (draw.oneIn(6)) {
         // Along one of the shape's planes, at a slope of next to nothing.
         dvec3 local(draw.between(-1.0, 1.0), draw.between(-1.0, 1.0), draw.between(-1.0, 1.0));
@@ -90,7 +83,7 @@ struct Placed {
 Placed placed(Draw& draw) {
     const double size = draw.magnitude(1e-6, 1e6);
     const dvec3 place = draw.oneIn(3) ? dvec3(0.0) : size * draw.magnitude(1e-2, 1e5) * draw.direction();
-    return {size, place, oracle::Frame::around(anyDirection(draw))};
+    return {size, place, oracle::Frame::around(anyOrAxis(draw))};
 }
 
 // Slender to even.
@@ -98,26 +91,26 @@ double share(Draw& draw) {
     return draw.oneIn(4) ? draw.magnitude(1e-4, 1.0) : draw.between(0.2, 1.0);
 }
 
-template <std::uint32_t kind>
+template <Kind kind>
 void drawShape(Draw& draw, std::span<float> inputs) {
     const auto [size, place, frame] = placed(draw);
     put(inputs, 6, place);
     const dvec3 half = size * dvec3(1.0, share(draw), share(draw));
     dvec3 middle = place, extent = half;
-    if (kind == plane || kind == disc) {
+    if (kind == Kind::plane || kind == Kind::disc) {
         put(inputs, 9, frame.z);
         extent = size * dvec3(1.0, 1.0, 0.0);
-        if (kind == disc) {
+        if (kind == Kind::disc) {
             const double hole = draw.oneIn(2) ? 0.0 : draw.between(0.0, 0.99);
             inputs[12] = static_cast<float>(hole * hole * size * size);
             inputs[13] = static_cast<float>(size * size);
         }
-    } else if (kind == rectangle || kind == box) {
+    } else if (kind == Kind::rectangle || kind == Kind::box) {
         put(inputs, 9, frame.x / half.x);
         put(inputs, 12, frame.y / half.y);
-        if (kind == box) put(inputs, 15, frame.z / half.z);
+        if (kind == Kind::box) put(inputs, 15, frame.z / half.z);
         else extent.z = 0.0;
-    } else if (kind == triangle) {
+    } else if (kind == Kind::triangle) {
         // The third corner lies anywhere beside the first edge, slivers included.
         const dvec3 u = half.x * frame.x, v = draw.between(-1.0, 1.0) * half.x * frame.x + half.y * frame.y;
         put(inputs, 9, u);
@@ -125,14 +118,14 @@ void drawShape(Draw& draw, std::span<float> inputs) {
         put(inputs, 15, frame.z);
         middle = place + (u + v) / 3.0;
         extent.z = 0.0;
-    } else if (kind == sphere) {
+    } else if (kind == Kind::sphere) {
         inputs[9] = static_cast<float>(size);
         extent = dvec3(size);
     } else {
         put(inputs, 9, frame.z);
         const double radius = half.y;
         inputs[12] = static_cast<float>(size);
-        inputs[13] = static_cast<float>(kind >= openCone ? radius / size : radius);
+        inputs[13] = static_cast<float>(kind >= Kind::openCone ? radius / size : radius);
         middle = place + 0.5 * size * frame.z;
         extent = dvec3(radius, radius, 0.5 * size);
     }
@@ -140,21 +133,23 @@ void drawShape(Draw& draw, std::span<float> inputs) {
 }
 
 // The shape that these floats are.
-template <std::uint32_t kind>
+template <Kind kind>
 ShapeMeasure measured(Inputs in) {
     const dvec3 place = at(in, 6);
-    if constexpr (kind == plane) return ShapeMeasure::ofPlane(place, at(in, 9));
-    else if constexpr (kind == rectangle) return ShapeMeasure::ofRectangle(place, at(in, 9), at(in, 12));
-    else if constexpr (kind == disc) return ShapeMeasure::ofDisc(place, at(in, 9), in[12], in[13]);
-    else if constexpr (kind == triangle) return ShapeMeasure::ofTriangle(place, at(in, 9), at(in, 12));
-    else if constexpr (kind == sphere) return ShapeMeasure::ofSphere(place, in[9]);
-    else if constexpr (kind == box) return ShapeMeasure::ofBox(place, at(in, 9), at(in, 12), at(in, 15));
-    else if constexpr (kind == openCylinder || kind == cylinder)
-        return ShapeMeasure::ofCylinder(place, at(in, 9), in[12], in[13], kind == cylinder);
-    else return ShapeMeasure::ofCone(place, at(in, 9), in[12], in[13], kind == cone);
+    if constexpr (kind == Kind::plane) return ShapeMeasure::ofPlane(place, at(in, 9));
+    else if constexpr (kind == Kind::rectangle)
+        return ShapeMeasure::ofRectangle(place, at(in, 9), at(in, 12));
+    else if constexpr (kind == Kind::disc) return ShapeMeasure::ofDisc(place, at(in, 9), in[12], in[13]);
+    else if constexpr (kind == Kind::triangle) return ShapeMeasure::ofTriangle(place, at(in, 9), at(in, 12));
+    else if constexpr (kind == Kind::sphere) return ShapeMeasure::ofSphere(place, in[9]);
+    else if constexpr (kind == Kind::box)
+        return ShapeMeasure::ofBox(place, at(in, 9), at(in, 12), at(in, 15));
+    else if constexpr (kind == Kind::openCylinder || kind == Kind::cylinder)
+        return ShapeMeasure::ofCylinder(place, at(in, 9), in[12], in[13], kind == Kind::cylinder);
+    else return ShapeMeasure::ofCone(place, at(in, 9), in[12], in[13], kind == Kind::cone);
 }
 
-template <std::uint32_t kind>
+template <Kind kind>
 Judgement judgeShape(Inputs in, Inputs results) {
     const ShapeMeasure shape = measured<kind>(in);
     const oracle::Ray ray{at(in, 0), at(in, 3)};
@@ -164,7 +159,7 @@ Judgement judgeShape(Inputs in, Inputs results) {
     return {shape.shift(ray, got, expected), both ? ulpsBetween(got, expected) : 0.0, got, expected};
 }
 
-template <std::uint32_t kind>
+template <Kind kind>
 StressCase shapeCase(std::string_view name, std::string_view function, std::vector<std::string_view> own) {
     std::vector<std::string_view> inputs{"ox", "oy", "oz", "dx", "dy", "dz", "x", "y", "z"};
     inputs.insert(inputs.end(), own.begin(), own.end());
@@ -173,7 +168,7 @@ StressCase shapeCase(std::string_view name, std::string_view function, std::vect
             4e-6,
             "a ray leaves a surface by 4e-6 of its coordinates (leave() of trace.glsl)",
             stress_shapes_comp,
-            kind,
+            static_cast<std::uint32_t>(kind),
             inputs,
             1,
             drawShape<kind>,
@@ -187,19 +182,20 @@ std::vector<StressCase> shapeCases() {
     const std::vector<std::string_view> round{"axis_x", "axis_y", "axis_z", "height", "radius"},
         conical{"axis_x", "axis_y", "axis_z", "height", "slope"};
     return {
-        shapeCase<plane>("plane", "hitPlane, shapes.glsl", {"nx", "ny", "nz"}),
-        shapeCase<rectangle>("rectangle-hit", "hitRectangle, shapes.glsl",
-                             {"ux", "uy", "uz", "vx", "vy", "vz"}),
-        shapeCase<disc>("disc", "hitDisc, shapes.glsl",
-                        {"nx", "ny", "nz", "inner_squared", "radius_squared"}),
-        shapeCase<triangle>("triangle", "hitTriangle, shapes.glsl",
-                            {"e1x", "e1y", "e1z", "e2x", "e2y", "e2z", "nx", "ny", "nz"}),
-        shapeCase<sphere>("sphere", "hitSphere, shapes.glsl", {"radius"}),
-        shapeCase<box>("box", "hitBox, shapes.glsl", {"ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"}),
-        shapeCase<openCylinder>("open-cylinder", "hitCylinder, shapes.glsl", round),
-        shapeCase<cylinder>("cylinder", "hitCylinder, shapes.glsl", round),
-        shapeCase<openCone>("open-cone", "hitCone, shapes.glsl", conical),
-        shapeCase<cone>("cone", "hitCone, shapes.glsl", conical),
+        shapeCase<Kind::plane>("plane", "hitPlane, shapes.glsl", {"nx", "ny", "nz"}),
+        shapeCase<Kind::rectangle>("rectangle-hit", "hitRectangle, shapes.glsl",
+                                   {"ux", "uy", "uz", "vx", "vy", "vz"}),
+        shapeCase<Kind::disc>("disc", "hitDisc, shapes.glsl",
+                              {"nx", "ny", "nz", "inner_squared", "radius_squared"}),
+        shapeCase<Kind::triangle>("triangle", "hitTriangle, shapes.glsl",
+                                  {"e1x", "e1y", "e1z", "e2x", "e2y", "e2z", "nx", "ny", "nz"}),
+        shapeCase<Kind::sphere>("sphere", "hitSphere, shapes.glsl", {"radius"}),
+        shapeCase<Kind::box>("box", "hitBox, shapes.glsl",
+                             {"ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"}),
+        shapeCase<Kind::openCylinder>("open-cylinder", "hitCylinder, shapes.glsl", round),
+        shapeCase<Kind::cylinder>("cylinder", "hitCylinder, shapes.glsl", round),
+        shapeCase<Kind::openCone>("open-cone", "hitCone, shapes.glsl", conical),
+        shapeCase<Kind::cone>("cone", "hitCone, shapes.glsl", conical),
     };
 }
 

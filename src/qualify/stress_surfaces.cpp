@@ -13,7 +13,7 @@ namespace {
 using Inputs = std::span<const float>;
 
 // Of the angle of incidence: any, grazing, perpendicular.
-double anyCosine(Draw& draw) {
+double anyIncidence(Draw& draw) {
     if (draw.oneIn(3)) return draw.among<5>({0.0, 1e-45, 1e-38, 0x1.fffffep-1, 1.0});
     return draw.oneIn(2) ? draw.magnitude(1e-12, 1.0) : draw.unit();
 }
@@ -21,7 +21,7 @@ double anyCosine(Draw& draw) {
 void drawDielectric(Draw& draw, std::span<float> inputs) {
     double index = draw.oneIn(4) ? 1.0 + draw.sign() * draw.magnitude(1e-7, 1e-2) : draw.magnitude(0.2, 5.0);
     if (draw.oneIn(10)) index = 1.0;
-    double cosine = anyCosine(draw);
+    double cosine = anyIncidence(draw);
     // About the angle of total reflection.
     if (index < 1.0 && draw.oneIn(3))
         cosine = std::clamp(std::sqrt(1.0 - index * index) * (1.0 + draw.sign() * draw.magnitude(1e-8, 0.1)),
@@ -56,7 +56,7 @@ Judgement judgeDielectric(Inputs in, Inputs results) {
 }
 
 void drawConductor(Draw& draw, std::span<float> inputs) {
-    inputs[0] = static_cast<float>(anyCosine(draw));
+    inputs[0] = static_cast<float>(anyIncidence(draw));
     inputs[1] = static_cast<float>(draw.magnitude(0.01, 20.0));
     inputs[2] = static_cast<float>(draw.oneIn(8) ? 0.0 : draw.magnitude(1e-4, 40.0));
 }

@@ -168,7 +168,7 @@ private:
             surroundings_.findings.push_back(
                 {madeByOverride ? first->second.offset : offset,
                  fmt::format("\"{0}\"[{1}] and [{2}] both have the name {3}; give each of the {0} its own",
-                             owner, first->second.index, here, scene::quoted(name))});
+                             owner, first->second.index, here, inQuotes(name))});
         }
     }
 
@@ -180,8 +180,7 @@ private:
         const std::string remedy = materialNames_.empty() ? "add it to \"materials\", which is empty"
                                                           : suggestion(name, materialNames_, "write");
         surroundings_.findings.push_back(
-            {reference.getOffsetStart(),
-             fmt::format("no material is named {}; {}", scene::quoted(name), remedy)});
+            {reference.getOffsetStart(), fmt::format("no material is named {}; {}", inQuotes(name), remedy)});
     }
 
     // Tracks run round the centre and the axis of a disc, which other shapes do not have.
@@ -192,7 +191,7 @@ private:
         }
         if (std::holds_alternative<Disc>(object.shape)) return;
         node["material"].refuse(fmt::format("{} is an optical disc; give it only to objects of type \"disc\"",
-                                            scene::quoted(material.name)),
+                                            inQuotes(material.name)),
                                 {node["type"], materialTypes_[object.material]});
     }
 

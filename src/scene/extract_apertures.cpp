@@ -110,9 +110,6 @@ optics::Cell cellOf(const Node& node) {
     return polygonOf(node);
 }
 
-// What copies that should touch may overlap by, in parts of their size.
-constexpr double kTouch = 1e-6;
-
 bool overlaps(const RectangularAperture& cell, const dvec2& shift) {
     return std::abs(shift.x) < (1.0 - kTouch) * cell.width.si &&
            std::abs(shift.y) < (1.0 - kTouch) * cell.height.si;

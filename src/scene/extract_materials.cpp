@@ -55,7 +55,7 @@ units::Length lengthOr(const Node& node, std::string_view key, units::Length sta
     return node.has(key) ? node[key].length() : standard;
 }
 
-std::string written(units::Length length) {
+std::string inUnits(units::Length length) {
     return length < 1.0 * mm ? fmt::format("{:.6g} um", length / um) : fmt::format("{:.6g} mm", length / mm);
 }
 
@@ -65,8 +65,8 @@ void requireOrder(const Node& node, std::string_view key, units::Length value, s
                   units::Length limit, bool orEqual) {
     if (value < limit || (orEqual && value == limit)) return;
     const Node place = node.has(key) || !node.has(limitKey) ? node[key] : node[limitKey];
-    place.refuse(fmt::format("\"{}\" is {}; write {} \"{}\", which is {}", key, written(value),
-                             orEqual ? "at most" : "less than", limitKey, written(limit)),
+    place.refuse(fmt::format("\"{}\" is {}; write {} \"{}\", which is {}", key, inUnits(value),
+                             orEqual ? "at most" : "less than", limitKey, inUnits(limit)),
                  {node[key], node[limitKey], node["medium"]});
 }
 

@@ -31,7 +31,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     return parts;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view withoutBlanks(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r";
     const std::size_t first = text.find_first_not_of(kBlank);
     if (first == std::string_view::npos) return {};
@@ -42,13 +42,13 @@ std::vector<int> ordersOf(std::string_view header, std::size_t line) {
     std::vector<int> orders;
     const std::vector<std::string_view> names = split(header, ',');
     for (std::size_t column = 1; column < names.size(); ++column) {
-        const std::string_view name = trimmed(names[column]);
+        const std::string_view name = withoutBlanks(names[column]);
         int order = 0;
         const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), order);
         if (name.empty() || error != std::errc{} || end != name.data() + name.size()) {
             throw optics::CurveFileError(
-                line, fmt::format("{} is no order; name them, as in \"wavelength_nm, -1, 0, 1\"",
-                                  scene::quoted(name)));
+                line,
+                fmt::format("{} is no order; name them, as in \"wavelength_nm, -1, 0, 1\"", inQuotes(name)));
         }
         if (std::find(orders.begin(), orders.end(), order) != orders.end())
             throw optics::CurveFileError(line, fmt::format("order {} is there twice; keep one", order));
@@ -67,7 +67,7 @@ std::vector<OrderEfficiency> parseOrderCurves(std::string_view text) {
     std::size_t number = 0;
     for (const std::string_view whole : split(text, '\n')) {
         ++number;
-        const std::string_view line = trimmed(whole);
+        const std::string_view line = withoutBlanks(whole);
         const bool counts = !line.empty() && line.front() != '#';
         if (counts && orders.empty()) {
             orders = ordersOf(line, number);
@@ -103,7 +103,7 @@ std::filesystem::path pathOf(const Node& file) {
 
 std::string pathText(const Node& file) {
     constexpr std::size_t kLongestPath = 4096;
-    return quoted(pathOf(file).string(), kLongestPath);
+    return inQuotes(pathOf(file).string(), kLongestPath);
 }
 
 std::optional<std::string> textOf(const Node& file) {

@@ -148,7 +148,7 @@ std::string reworded(std::string message) {
     const std::size_t quote = message.find('\'');
     if (message.starts_with("Duplicate key: '")) {
         return fmt::format("duplicate key {}; keep one of them",
-                           quoted(std::string_view(message).substr(quote + 1, message.size() - quote - 2)));
+                           inQuotes(std::string_view(message).substr(quote + 1, message.size() - quote - 2)));
     }
     if (message.ends_with("' is not a number")) {
         return fmt::format("{} is not a finite number; write one such as 12.5 or 1.2e-3",

@@ -90,7 +90,7 @@ private:
         }
         if (!at_->isObject()) {
             return fmt::format("{} is {}, which has nothing named {}; end the path before it", pathTo(i),
-                               spoken(*at_), quoted(segment));
+                               spoken(*at_), inQuotes(segment));
         }
         return stepIntoObject(i);
     }
@@ -114,14 +114,14 @@ private:
 
     std::string noMember(std::size_t i) const {
         if (at_->empty())
-            return fmt::format("{} has nothing named {}; it is empty", pathTo(i), quoted(segments_[i]));
-        return fmt::format("{} has nothing named {}; {}", pathTo(i), quoted(segments_[i]),
+            return fmt::format("{} has nothing named {}; it is empty", pathTo(i), inQuotes(segments_[i]));
+        return fmt::format("{} has nothing named {}; {}", pathTo(i), inQuotes(segments_[i]),
                            suggestion(segments_[i], at_->getMemberNames(), "write"));
     }
 
     std::string noElement(std::size_t i) const {
         const std::vector<std::string> names = namesIn(*at_);
-        const std::string message = fmt::format("{} has nothing named {}", pathTo(i), quoted(segments_[i]));
+        const std::string message = fmt::format("{} has nothing named {}", pathTo(i), inQuotes(segments_[i]));
         if (at_->empty()) return message + "; it is empty";
         const std::string indices = fmt::format("an index from 0 to {}", at_->size() - 1);
         if (names.empty()) return fmt::format("{}; write {}", message, indices);

@@ -10,9 +10,6 @@ namespace {
 
 using glm::dvec2;
 
-// What copies that should touch may overlap by, in parts of their size: lengths written to six digits do.
-constexpr double kTouch = 1e-6;
-
 // Sine of the angle between sides that lie on one line but for the rounding of their lengths.
 constexpr double kStraight = 1e-12;
 

@@ -24,6 +24,9 @@ glm::dvec2 centroid(const Polygon& polygon);
 // fold back, or others that meet.
 std::optional<std::pair<std::size_t, std::size_t>> crossing(const Polygon& polygon);
 
+// What copies that should touch may overlap by, in parts of their size: lengths written to six digits do.
+inline constexpr double kTouch = 1e-6;
+
 // Whether a polygon about 0 and its copy at `shift` have more than a border in common.
 bool overlaps(const Polygon& polygon, const glm::dvec2& shift);
 

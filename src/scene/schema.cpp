@@ -17,7 +17,7 @@ struct TypePhrase {
     std::string_view phrase;  // in messages
 };
 
-constexpr std::array kTypes{
+constexpr std::array kTypePhrases{
     TypePhrase{JsonType::object, "an object"},       TypePhrase{JsonType::array, "an array"},
     TypePhrase{JsonType::string, "a string"},        TypePhrase{JsonType::number, "a number"},
     TypePhrase{JsonType::integer, "a whole number"}, TypePhrase{JsonType::boolean, "true or false"},
@@ -48,7 +48,7 @@ bool hasConstants(const Json::Value& object, const Schema& schema) {
 // The noun phrase alone: "a number of metres", "true or false".
 std::string nounOf(const Schema& schema) {
     if (!schema.title.empty()) return schema.title;
-    for (const TypePhrase& known : kTypes) {
+    for (const TypePhrase& known : kTypePhrases) {
         if (schema.type == known.type) return std::string(known.phrase);
     }
     return {};

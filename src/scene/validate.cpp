@@ -23,7 +23,7 @@ struct Trail {
     // "radius", "center"[1], the scene
     std::string subject() const {
         if (parent == nullptr) return "the scene";
-        if (key.data() != nullptr) return quoted(key);
+        if (key.data() != nullptr) return inQuotes(key);
         return fmt::format("{}[{}]", parent->subject(), index);
     }
 };
@@ -130,7 +130,7 @@ private:
                 if (written ? object[key->name] == choice : !own->required) fitting.push_back(alternative);
             }
             if (fitting.empty() && written)
-                return refuseChoice(object[key->name], choices, quoted(key->name));
+                return refuseChoice(object[key->name], choices, inQuotes(key->name));
             if (fitting.empty()) return refuseMissing(object, *key, choices);
             left = std::move(fitting);
         }
@@ -191,14 +191,15 @@ private:
                    const Schema& schema) {
         const std::ptrdiff_t offset = blamed(object, member);
         const std::string lead = schema.title + " may have";
-        report(isOverride(offset) ? offset : keyOffset(offset),
-               fmt::format("unknown key {}; {}", quoted(key), suggestion(key, schema.propertyList(), lead)));
+        report(
+            isOverride(offset) ? offset : keyOffset(offset),
+            fmt::format("unknown key {}; {}", inQuotes(key), suggestion(key, schema.propertyList(), lead)));
     }
 
     bool checkName(const std::string& name, const Json::Value& member, const Schema& schema) {
         if (schema.pattern && !std::regex_match(name, *schema.pattern)) {
             return report(keyOffset(member.getOffsetStart()),
-                          fmt::format("{} is not {}", quoted(name), expectation(schema)));
+                          fmt::format("{} is not {}", inQuotes(name), expectation(schema)));
         }
         if (name.size() >= schema.minLength) return true;
         return report(keyOffset(member.getOffsetStart()),
@@ -235,7 +236,7 @@ private:
         const std::string text = value.asString();
         const auto refuse = [&](const std::string& why) {
             return report(value.getOffsetStart(),
-                          fmt::format("{} is {}{}", trail.subject(), quoted(text), why));
+                          fmt::format("{} is {}{}", trail.subject(), inQuotes(text), why));
         };
         const std::vector<std::string> units = unitsOf(*schema.unit);
         const std::optional<QuantityText> parts = splitQuantity(text);
@@ -246,7 +247,7 @@ private:
         }
         const std::optional<double> unit = unitInSi(parts->unit, *schema.unit);
         if (!unit) {
-            return refuse(fmt::format(", but {} is not a unit of {}; write {}", quoted(parts->unit),
+            return refuse(fmt::format(", but {} is not a unit of {}; write {}", inQuotes(parts->unit),
                                       nameOf(*schema.unit), anyOf(units)));
         }
         return checkRange(parts->number * *unit, value, schema, trail);

@@ -44,7 +44,7 @@ std::string anyOf(std::span<const std::string> words) {
     return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
-std::string quoted(std::string_view text, std::size_t longest) {
+std::string inQuotes(std::string_view text, std::size_t longest) {
     std::string result = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -73,11 +73,11 @@ std::string_view nearest(std::string_view word, std::span<const std::string> nam
 
 std::string suggestion(std::string_view word, std::span<const std::string> names, std::string_view lead) {
     if (const std::string_view near = nearest(word, names); !near.empty()) {
-        return fmt::format("did you mean {}?", quoted(near));
+        return fmt::format("did you mean {}?", inQuotes(near));
     }
     std::vector<std::string> listed;
     for (const std::string& name : names.first(std::min(names.size(), kLongestList)))
-        listed.push_back(quoted(name));
+        listed.push_back(inQuotes(name));
     if (names.size() > kLongestList)
         listed.push_back(fmt::format("one of {} more", names.size() - kLongestList));
     return fmt::format("{} {}", lead, anyOf(listed));
@@ -93,7 +93,7 @@ std::string spoken(const Json::Value& value) {
         case Json::realValue:
             return fmt::format("{}", value.asDouble());
         case Json::stringValue:
-            return quoted(value.asString());
+            return inQuotes(value.asString());
         case Json::booleanValue:
             return value.asBool() ? "true" : "false";
         case Json::arrayValue:

@@ -18,7 +18,7 @@ inline constexpr std::size_t kLongestQuote = 60;
 
 // The text in double quotes, cut short when it is longer than that; control characters are escaped, so that a
 // message stays on its line.
-std::string quoted(std::string_view text, std::size_t longest = kLongestQuote);
+std::string inQuotes(std::string_view text, std::size_t longest = kLongestQuote);
 
 // The one of `names` that `word` most likely stands for, or an empty text where none is near: at most one
 // letter in three may be wrong, missing, extra or swapped with its neighbour (upper and lower case are

@@ -14,7 +14,7 @@
 namespace fringe::image {
 namespace {
 
-std::string messageOf(const std::filesystem::path& path) {
+std::string messageOfWriting(const std::filesystem::path& path) {
     try {
         writeImage(path, testPicture(300, 200), {});
     } catch (const FileError& error) {
@@ -107,32 +107,32 @@ TEST_P(Writing, ALinkIsFollowed) {
 
 TEST_P(Writing, ALoopOfLinksIsAnError) {
     std::filesystem::create_symlink(GetParam(), target());
-    EXPECT_EQ(messageOf(target()),
+    EXPECT_EQ(messageOfWriting(target()),
               target().string() + ": cannot be written: Too many levels of symbolic links");
 }
 
 TEST_P(Writing, AMissingFolderIsAnError) {
     const auto path = folder_ / "missing" / GetParam();
-    EXPECT_EQ(messageOf(path), path.string() + ": cannot create a file in the folder '" +
-                                   (folder_ / "missing").string() + "': No such file or directory");
+    EXPECT_EQ(messageOfWriting(path), path.string() + ": cannot create a file in the folder '" +
+                                          (folder_ / "missing").string() + "': No such file or directory");
 }
 
 TEST_P(Writing, AFolderThatTakesNoFilesIsAnError) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
     std::filesystem::permissions(folder_.path(), std::filesystem::perms{0555});
-    EXPECT_NE(messageOf(target()).find("Permission denied"), std::string::npos);
+    EXPECT_NE(messageOfWriting(target()).find("Permission denied"), std::string::npos);
     std::filesystem::permissions(folder_.path(), std::filesystem::perms{0755});
 }
 
 TEST_P(Writing, AFolderOfThatNameIsAnError) {
     std::filesystem::create_directory(target());
-    EXPECT_EQ(messageOf(target()), target().string() + ": is a folder; give the name of a file");
+    EXPECT_EQ(messageOfWriting(target()), target().string() + ": is a folder; give the name of a file");
     EXPECT_EQ(folder_.fileCount(), 1U);
 }
 
 TEST_P(Writing, ADeviceIsNotReplaced) {
     ASSERT_EQ(::mkfifo(target().c_str(), 0600), 0);
-    EXPECT_EQ(messageOf(target()),
+    EXPECT_EQ(messageOfWriting(target()),
               target().string() + ": is not a regular file; only such a file can be replaced");
     EXPECT_TRUE(std::filesystem::is_fifo(target()));
 }
@@ -148,7 +148,7 @@ TEST_P(Writing, AFullDiskIsAnErrorAndTheOldFileStays) {
     for (const rlim_t bytes : {0U, 500U, 8192U, 10000U}) {
         const rlimit limited{bytes, before.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limited);
-        messages.push_back(messageOf(target()));
+        messages.push_back(messageOfWriting(target()));
         ::setrlimit(RLIMIT_FSIZE, &before);
     }
     std::signal(SIGXFSZ, oldHandler);
@@ -203,7 +203,7 @@ TEST_P(Writing, MemoryDoesNotGrowWithTheHeight) {
 TEST(WritingNames, AnotherExtensionIsAnErrorThatNamesTheTwo) {
     const TestFolder folder;
     for (const char* name : {"a.jpg", "a", ".png", "a.png.txt"})
-        EXPECT_EQ(messageOf(folder / name),
+        EXPECT_EQ(messageOfWriting(folder / name),
                   (folder / name).string() +
                       ": the name does not say which format to write; end it in .png or .exr");
     EXPECT_EQ(folder.fileCount(), 0U);

@@ -17,7 +17,7 @@
 namespace fringe::image {
 namespace {
 
-std::string messageOf(const std::filesystem::path& path) {
+std::string messageOfReading(const std::filesystem::path& path) {
     try {
         readImage(path);
     } catch (const FileError& error) {
@@ -87,7 +87,7 @@ TEST(ReadPng, AlphaIsIgnored) {
 TEST(ReadPng, InterlacedIsRefused) {
     const TestFolder folder;
     writeForeign(folder / "a.png", {PNG_COLOR_TYPE_GRAY, 8, PNG_INTERLACE_ADAM7, 2, {{1, 2}, {3, 4}}});
-    EXPECT_EQ(messageOf(folder / "a.png"),
+    EXPECT_EQ(messageOfReading(folder / "a.png"),
               (folder / "a.png").string() + ": is an interlaced PNG; save it without interlacing");
 }
 
@@ -130,24 +130,24 @@ TEST(ReadExr, OtherLayoutsAreRefused) {
     const TestFolder folder;
     const auto path = folder / "a.exr";
     writeForeign(path, {"Y"}, 1);
-    EXPECT_EQ(messageOf(path),
+    EXPECT_EQ(messageOfReading(path),
               path.string() +
                   ": has none of the channels that are read: R, G and B; X, Y and Z; luminance, "
                   "radiance or irradiance");
     writeForeign(path, {"R", "B"}, 1);
-    EXPECT_EQ(messageOf(path), path.string() + ": has no channel G beside the others");
+    EXPECT_EQ(messageOfReading(path), path.string() + ": has no channel G beside the others");
     writeForeign(path, {"R", "G", "B"}, 2);
-    EXPECT_EQ(messageOf(path), path.string() + ": has channel R at less than full resolution");
+    EXPECT_EQ(messageOfReading(path), path.string() + ": has channel R at less than full resolution");
 }
 
 TEST(ReadAnything, WhatIsNoPictureIsRefused) {
     const TestFolder folder;
     const auto path = folder / "a.png";
-    EXPECT_EQ(messageOf(path), path.string() + ": cannot be read: No such file or directory");
-    EXPECT_EQ(messageOf(folder.path()), folder.path().string() + ": cannot be read: Is a directory");
+    EXPECT_EQ(messageOfReading(path), path.string() + ": cannot be read: No such file or directory");
+    EXPECT_EQ(messageOfReading(folder.path()), folder.path().string() + ": cannot be read: Is a directory");
     for (const char* content : {"", "\x89PN", "P6 3 2 255 pixels"}) {
         putBytes(path, content);
-        EXPECT_EQ(messageOf(path), path.string() + ": is neither a PNG nor an EXR file");
+        EXPECT_EQ(messageOfReading(path), path.string() + ": is neither a PNG nor an EXR file");
         EXPECT_THROW(readMetadata(path), FileError);
     }
 }
@@ -196,8 +196,8 @@ TEST_P(Damaged, NoChangedByteDoesMoreThanAnError) {
 
 TEST_P(Damaged, TheMessageNamesTheFile) {
     putBytes(path_, whole_.substr(0, whole_.size() / 2));
-    EXPECT_EQ(messageOf(path_).rfind(path_.string() + ": is truncated or corrupt: ", 0), 0U)
-        << messageOf(path_);
+    EXPECT_EQ(messageOfReading(path_).rfind(path_.string() + ": is truncated or corrupt: ", 0), 0U)
+        << messageOfReading(path_);
 }
 
 }  // namespace

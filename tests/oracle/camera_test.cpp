@@ -12,11 +12,11 @@ namespace {
 
 using namespace units;
 
-constexpr double kRounding = 1e-14;
+constexpr double kFewRoundings = 1e-14;
 constexpr glm::dvec2 kMiddle(0.5);
 
 void expectNear(const dvec3& a, const dvec3& b) {
-    EXPECT_LT(glm::length(a - b), kRounding) << a.x << ' ' << a.y << ' ' << a.z;
+    EXPECT_LT(glm::length(a - b), kFewRoundings) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
 TEST(Camera, RowZeroIsTheTop) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/axes.hpp"
 #include "oracle/metals.hpp"
 
 namespace fringe::oracle {
@@ -13,8 +14,6 @@ namespace {
 
 using namespace units;
 using scene::Metal;
-
-constexpr double kRounding = 1e-13;  // some hundred roundings of values of order 1
 
 TEST(Fresnel, NormalIncidence) {
     EXPECT_NEAR(reflectance(1.0, 1.5), 0.04, kRounding);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gratings.hpp"
+#include "oracle/axes.hpp"
 #include "oracle/lighting.hpp"
 #include "oracle/opening_share.hpp"
 #include "oracle/quadrature.hpp"
@@ -22,8 +23,6 @@ using glm::dvec2;
 using optics::Slits;
 using scene::BeamProfile;
 using std::numbers::pi;
-
-constexpr dvec3 kZ(0.0, 0.0, 1.0);
 
 const optics::Spectrum kGreen{{}, {{550.0 * nm, 1.0, 0.0 * nm}}};
 const optics::Curve kWhite{{380.0, 1.0}, {780.0, 1.0}};

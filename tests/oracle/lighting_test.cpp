@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/axes.hpp"
 #include "oracle/emitters.hpp"
 #include "scenes.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 using namespace units;
 using std::numbers::pi;
 
-constexpr dvec3 kX(1.0, 0.0, 0.0), kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
 constexpr Receiver kOriginFacingZ{{0.0, 0.0, 0.0}, kZ};
-constexpr double kRounding = 1e-13;
 
 World with(const std::vector<scene::Light>& lights) {
     scene::Scene scene;
@@ -46,7 +45,7 @@ struct Estimate {
     double error;
 };
 
-Estimate sampled(const World& world, const Receiver& receiver) {
+Estimate estimated(const World& world, const Receiver& receiver) {
     constexpr int kPixels = 400;
     constexpr std::uint32_t kSamples = 64;
     double sum = 0.0;
@@ -66,7 +65,7 @@ Estimate sampled(const World& world, const Receiver& receiver) {
 // A z-test: 4.5 standard errors are exceeded by chance once in 150000. The scatter must be small enough for
 // it to mean something, half a percent. Rounding is allowed for where there is no scatter at all.
 void expectIrradiance(const World& world, const Receiver& receiver, double expected) {
-    const Estimate estimate = sampled(world, receiver);
+    const Estimate estimate = estimated(world, receiver);
     EXPECT_LT(estimate.error, 5e-3 * expected);
     EXPECT_NEAR(estimate.mean, expected, 4.5 * estimate.error + kRounding * expected);
 }

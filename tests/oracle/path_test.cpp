@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/axes.hpp"
 #include "oracle/fresnel.hpp"
 #include "oracle/metals.hpp"
 #include "oracle/thesis.hpp"
@@ -15,9 +16,6 @@ namespace fringe::oracle {
 namespace {
 
 using namespace units;
-
-constexpr dvec3 kX(1.0, 0.0, 0.0), kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
-constexpr double kRounding = 1e-13;
 
 Value look(const scene::Scene& scene, const Ray& ray, std::uint32_t maxDepth = 8) {
     const World world = makeWorld(scene);

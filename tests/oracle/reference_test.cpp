@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "oracle/axes.hpp"
 #include "oracle/thesis.hpp"
 #include "scenes.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 using namespace units;
 using image::Pixel;
 
-constexpr dvec3 kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
 const std::atomic<bool> kNever = false;
 
 std::vector<Pixel> rendered(const scene::Scene& scene, unsigned threads) {

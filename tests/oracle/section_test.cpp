@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-constexpr double kWavelength = 550e-9;
+constexpr double kGreenWave = 550e-9;
 
 // Enough panels for each to hold less than a turn.
 Complex summed(double half, const Travel& travel, double radius) {
@@ -23,7 +23,7 @@ Complex summed(double half, const Travel& travel, double radius) {
     forNodes(-half, half, 20'000, [&](double y, double weight) {
         const double way =
             0.5 * travel.curvature * (y - travel.foot) * (y - travel.foot) - 0.5 * travel.convergence * y * y;
-        sum += weight * std::exp(-y * y / (radius * radius)) * std::polar(1.0, 2.0 * pi * way / kWavelength);
+        sum += weight * std::exp(-y * y / (radius * radius)) * std::polar(1.0, 2.0 * pi * way / kGreenWave);
     });
     return sum;
 }
@@ -63,7 +63,7 @@ TEST(Section, OfAnEvenBeam) {
             const Travel travel{foot, 1.0, convergence};
             const Complex expected = summed(1e-3, travel, 1e3);
             // 1e-9 of Fresnel's integral at a scale of up to 1 / 1.4e-2 m^-1 beside the focus.
-            EXPECT_LT(std::abs(evenSection(1e-3, travel, kWavelength) - expected), 5e-11)
+            EXPECT_LT(std::abs(evenSection(1e-3, travel, kGreenWave) - expected), 5e-11)
                 << convergence << ' ' << foot;
         }
     }
@@ -74,7 +74,7 @@ TEST(Section, OfAGaussianBeam) {
         for (const double foot : {0.0, 0.7e-3, 3e-3}) {
             const Travel travel{foot, 1.0, convergence};
             const Complex expected = summed(6e-3, travel, 1e-3);  // exp(-36) at its ends
-            EXPECT_LT(std::abs(gaussianSection(1e-3, travel, kWavelength) - expected), 1e-13)
+            EXPECT_LT(std::abs(gaussianSection(1e-3, travel, kGreenWave) - expected), 1e-13)
                 << convergence << ' ' << foot;
         }
     }
@@ -89,9 +89,9 @@ double rayleighSommerfeld(double half, double y, double distance) {
         const double rise = y - from;
         const double range = std::hypot(rise, distance);
         const double longer = rise * rise / (range + distance);  // than `distance`, without cancellation
-        sum += weight * distance / (range * range) * std::polar(1.0, 2.0 * pi * longer / kWavelength);
+        sum += weight * distance / (range * range) * std::polar(1.0, 2.0 * pi * longer / kGreenWave);
     });
-    return std::norm(sum) * distance / kWavelength;
+    return std::norm(sum) * distance / kGreenWave;
 }
 
 // What Fresnel's approximation costs the sections that judge the device, for beams of 2 to 10 mm at 0.5 to 2
@@ -104,8 +104,8 @@ TEST(Section, IsTheRayleighSommerfeldIntegralOfABeamFarEnoughAway) {
             double largest = 0.0, peak = 0.0;
             for (double y = 0.0; y < 1.5 * half; y += half / 40.0) {
                 const double exact = rayleighSommerfeld(half, y, distance);
-                const double section = std::norm(evenSection(half, {y, 1.0 / distance, 0.0}, kWavelength)) /
-                                       (kWavelength * distance);
+                const double section = std::norm(evenSection(half, {y, 1.0 / distance, 0.0}, kGreenWave)) /
+                                       (kGreenWave * distance);
                 peak = std::max(peak, exact);
                 largest = std::max(largest, std::abs(section - exact));
             }

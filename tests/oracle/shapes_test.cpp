@@ -6,13 +6,14 @@
 #include <cmath>
 #include <random>
 
+#include "oracle/axes.hpp"
+
 namespace fringe::oracle {
 namespace {
 
 using glm::normalize;
 
 // Coordinates of a few metres in a handful of operations: 1e-13 is some hundred roundings.
-constexpr double kRounding = 1e-13;
 
 void expectHit(const scene::Shape& shape, const Ray& ray, double distance, const dvec3& normal) {
     const std::optional<Hit> hit = intersect(ray, shape);
@@ -25,8 +26,6 @@ void expectHit(const scene::Shape& shape, const Ray& ray, double distance, const
 void expectMiss(const scene::Shape& shape, const Ray& ray) {
     EXPECT_FALSE(intersect(ray, shape));
 }
-
-constexpr dvec3 kX(1.0, 0.0, 0.0), kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
 
 TEST(Shapes, PlaneIsHitFromBothSidesWithItsOwnNormal) {
     const scene::Plane floor{{5.0, -1.0, 7.0}, kY};

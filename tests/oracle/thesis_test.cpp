@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "oracle/axes.hpp"
 #include "scenes.hpp"
 
 namespace fringe::oracle {
@@ -16,8 +17,6 @@ using namespace units;
 using scene::Faults;
 using scene::Rgb;
 using scene::Slits;
-
-constexpr dvec3 kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
 
 TEST(ThesisIntensity, SingleSlitHasItsZeros) {
     const Slits slit{1, 3.0 * um, 3.0 * um};

@@ -11,14 +11,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kRounding = 1e-12;  // a few operations in double precision on values near 1
+constexpr double kFewRoundings = 1e-12;  // a few operations in double precision on values near 1
 
 scene::Camera cameraAt(const dvec3& position) {
     return {position, dvec3(0.0), dvec3(0, 1, 0), scene::Perspective{90.0 * units::deg, {}}, {}};
 }
 
 void expectNear(const dvec3& a, const dvec3& b) {
-    EXPECT_LT(glm::distance(a, b), kRounding) << a.x << ' ' << a.y << ' ' << a.z;
+    EXPECT_LT(glm::distance(a, b), kFewRoundings) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
 TEST(Orbit, TurnsAroundTheTargetAtTheSameDistance) {
@@ -41,7 +41,7 @@ TEST(Orbit, LeavesAViewFromThePole) {
     const scene::Camera top = seenFrom(cameraAt({0, 0, 2}), Side::top);
     expectNear(top.position, {0, 2, 0});
     const scene::Camera turned = orbited(top, 0.3, 0.3);
-    EXPECT_NEAR(glm::distance(turned.position, turned.target), 2.0, kRounding);
+    EXPECT_NEAR(glm::distance(turned.position, turned.target), 2.0, kFewRoundings);
     EXPECT_GT(glm::length(glm::cross(turned.target - turned.position, turned.up)), 0.01);
 }
 
@@ -68,8 +68,8 @@ TEST(Flight, FollowsTheAxesOfTheCamera) {
 TEST(Presets, LookAtTheTargetFromTheSameDistance) {
     for (const Side side : {Side::front, Side::back, Side::left, Side::right, Side::top, Side::bottom}) {
         const scene::Camera camera = seenFrom(cameraAt({1, 2, 2}), side);
-        EXPECT_NEAR(glm::length(camera.position), 3.0, kRounding);
-        EXPECT_NEAR(glm::dot(camera.position, camera.up), 0.0, kRounding);
+        EXPECT_NEAR(glm::length(camera.position), 3.0, kFewRoundings);
+        EXPECT_NEAR(glm::dot(camera.position, camera.up), 0.0, kFewRoundings);
     }
 }
 

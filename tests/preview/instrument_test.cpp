@@ -13,8 +13,7 @@ namespace {
 
 using cli::Arguments;
 
-constexpr int kPanel = 340;       // pixels, of the window's left
-constexpr int kInstrument = 470;  // of its right
+constexpr int kInstrument = 470;  // pixels, of the window's right
 
 // The wall behind Young's slits, four centimetres of it. With one sample that is in the middle: others lie
 // where the pixel's number says, and a point is another pixel than the middle of a line.
@@ -28,11 +27,6 @@ const Arguments kYoung = {FRINGE_SOURCE_DIR "/scenes/laboratory/young.json",
                           "--set",
                           "image.samples=1"};
 constexpr double kShown = 0.04;  // metres that the picture's height shows
-
-void expectDone(const cli::Outcome& outcome) {
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-}
 
 struct Csv {
     std::vector<std::string> names;
@@ -117,7 +111,7 @@ Place placeIn(const Screen& window) {
 }
 
 // The pipeline has its values in uniforms and rounds otherwise than the one that they are compiled into.
-constexpr double kRounding = 1e-4;
+constexpr double kSingleRounding = 1e-4;
 
 TEST(InstrumentOnDevice, APointIsMeasuredAsAProfileOfItWouldBe) {
     Session session(preview());
@@ -143,7 +137,7 @@ TEST(InstrumentOnDevice, APointIsMeasuredAsAProfileOfItWouldBe) {
     const Csv expected = profiled(session, point, 3, 2 * point.at(0, "position_m"));
     for (std::size_t i = 1; i < point.names.size(); ++i) {
         const std::string& name = point.names[i];
-        EXPECT_NEAR(point.at(0, name), expected.at(1, name), kRounding * std::abs(expected.at(1, name)))
+        EXPECT_NEAR(point.at(0, name), expected.at(1, name), kSingleRounding * std::abs(expected.at(1, name)))
             << name;
     }
     EXPECT_GT(point.at(0, "irradiance_W_m2"), 0.0);
@@ -177,7 +171,7 @@ TEST(InstrumentOnDevice, ALineIsMeasuredAsByProfile) {
     EXPECT_GT(peak, 0.0);
     for (std::size_t i = 0; i < 1000; ++i) {
         for (const char* name : {"irradiance_W_m2", "closed_form_W_m2"})
-            ASSERT_NEAR(line.at(i, name), expected.at(i, name), kRounding * peak) << name << i;
+            ASSERT_NEAR(line.at(i, name), expected.at(i, name), kSingleRounding * peak) << name << i;
     }
     expectDone(session.quit());
 }

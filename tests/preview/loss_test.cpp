@@ -9,9 +9,6 @@
 namespace fringe::preview {
 namespace {
 
-const std::string kScene = FRINGE_SOURCE_DIR "/scenes/thesis/figure-24.json";
-constexpr int kMoreSlitsX = 198, kMoreSlitsY = 356;  // "+" of the first grating's count, in the window
-
 class Loss : public testing::Test {
 protected:
     // The next work of this kind is lost: "renderer", "window" or "surface".

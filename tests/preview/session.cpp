@@ -35,6 +35,11 @@ std::map<std::string, std::string> with(std::map<std::string, std::string> envir
 
 }  // namespace
 
+void expectDone(const cli::Outcome& outcome) {
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+}
+
 bool becomes(const std::function<bool()>& condition) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     while (!condition()) {

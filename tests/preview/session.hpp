@@ -14,6 +14,14 @@
 
 namespace fringe::preview {
 
+// The scene that most sessions show, and places of its panel in pixels of the window.
+inline const std::string kScene = FRINGE_SOURCE_DIR "/scenes/thesis/figure-24.json";
+inline constexpr int kPanel = 340;                          // of the left
+inline constexpr int kMoreSlitsX = 198, kMoreSlitsY = 356;  // "+" of the first grating's count
+
+// That a program ended well and had nothing to complain of.
+void expectDone(const cli::Outcome& outcome);
+
 // Looks until it is so: a window answers in its own time, and what a driver for processors takes no test can
 // know. False if it is not within 30 s.
 bool becomes(const std::function<bool()>& condition);

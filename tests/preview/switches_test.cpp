@@ -8,7 +8,7 @@
 namespace fringe::preview {
 namespace {
 
-scene::Scene room() {
+scene::Scene glassRoom() {
     return scene::parseScene(R"({
       "fringe": 1,
       "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "fov": "40 deg" },
@@ -22,37 +22,37 @@ scene::Scene room() {
         { "name": "daylight", "type": "point", "position": [0, 1, 2], "power": "2 W" },
         { "name": "laser", "type": "point", "position": [1, 1, 2], "power": "2 W",
           "spectrum": { "type": "laser", "wavelength": "532 nm" } } ] })",
-                             "room.json");
+                             "glassRoom.json");
 }
 
 TEST(Switches, LeaveASceneAsItIsUnlessTheySaySo) {
-    const scene::Scene scene = switched(room(), {});
+    const scene::Scene scene = switched(glassRoom(), {});
     EXPECT_EQ(scene.lights.size(), 2U);
     EXPECT_TRUE(std::holds_alternative<scene::Dielectric>(scene.materials[0].model));
 }
 
 TEST(Switches, TurnLightsOff) {
-    const scene::Scene scene = switched(room(), {.darkLights = {0}});
+    const scene::Scene scene = switched(glassRoom(), {.darkLights = {0}});
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(scene.lights[0].name, "laser");
 }
 
 TEST(Switches, MakeGlassMatt) {
-    const scene::Scene scene = switched(room(), {.mattOnly = true});
+    const scene::Scene scene = switched(glassRoom(), {.mattOnly = true});
     for (const scene::Material& material : scene.materials)
         EXPECT_TRUE(std::holds_alternative<scene::Diffuse>(material.model));
 }
 
 TEST(Switches, LeaveOutShadows) {
-    EXPECT_TRUE(switched(room(), {}).castsShadows);
-    EXPECT_FALSE(switched(room(), {.noShadows = true}).castsShadows);
+    EXPECT_TRUE(switched(glassRoom(), {}).castsShadows);
+    EXPECT_FALSE(switched(glassRoom(), {.noShadows = true}).castsShadows);
 }
 
 // Of daylight a band has its share, whose parts add up to the whole; of a laser it has all or nothing.
 TEST(Switches, LeaveTheLightOfABand) {
     const auto power = [](double wavelength_nm, std::size_t light) {
         const optics::Spectrum spectrum =
-            switched(room(), {.wavelength_nm = wavelength_nm}).lights[light].spectrum;
+            switched(glassRoom(), {.wavelength_nm = wavelength_nm}).lights[light].spectrum;
         EXPECT_TRUE(spectrum.density.empty());
         EXPECT_EQ(spectrum.lines.size(), 1U);
         EXPECT_NEAR(spectrum.lines[0].wavelength / units::nm, wavelength_nm, 1e-9);

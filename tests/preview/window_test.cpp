@@ -16,20 +16,11 @@ namespace {
 
 using cli::Arguments;
 
-constexpr int kPanel = 340;  // pixels, of the window's left
-
-const std::string kScene = FRINGE_SOURCE_DIR "/scenes/thesis/figure-24.json";
-
 Arguments previewOf(const std::string& scene, const Arguments& more = {}) {
     Arguments arguments{"preview",         scene,   "--samples",       "4", "--set",
                         "image.width=500", "--set", "image.height=480"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
-}
-
-void expectDone(const cli::Outcome& outcome) {
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
 }
 
 // Where two pictures differ by more than one code of 255.
@@ -198,8 +189,7 @@ private:
 };
 
 // Places of widgets in the panel, in pixels of the window.
-constexpr int kMoreSlitsX = 198, kMoreSlitsY = 356;  // "+" of the first grating's count
-constexpr int kExposureX = 107, kExposureY = 41;     // the middle of the slider
+constexpr int kExposureX = 107, kExposureY = 41;  // the middle of the slider
 
 TEST(WindowOnDevice, AKnobChangesTheSceneWhichCanBeSaved) {
     const SceneFile file;

@@ -18,7 +18,7 @@ namespace {
 using namespace units;
 
 // Light goes to -z, x across the slits; a wall stands one metre away.
-scene::Light lightOf(optics::Aperture aperture, optics::Spectrum spectrum, Length beam = 5.0 * mm) {
+scene::Light lightOfBeam(optics::Aperture aperture, optics::Spectrum spectrum, Length beam = 5.0 * mm) {
     scene::Grating grating{};
     grating.position = {0, 0, 0};
     grating.normal = {0, 0, -1};
@@ -82,24 +82,26 @@ optics::Slits slits(std::uint32_t count, double width_um, double period_um) {
 constexpr double kFew = 1e-5, kNarrow = 5e-4, kWide = 2e-2;
 
 TEST(ClosedForm, OfFewSlitsInLaserLight) {
-    EXPECT_LT(errorAlong(lightOf(slits(1, 10, 10), laser()), {-0.1, 0, -1}, {0.13, 0, -1}, 60), kFew);
-    EXPECT_LT(errorAlong(lightOf(slits(4, 1, 2), laser()), {-0.1, 0, -1}, {0.53, 0, -1}, 60), kFew);
-    EXPECT_LT(errorAlong(lightOf(slits(50, 1, 2), laser()), {0.3, 0, -1}, {0.36, 0, -1}, 60), kNarrow);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(1, 10, 10), laser()), {-0.1, 0, -1}, {0.13, 0, -1}, 60), kFew);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(4, 1, 2), laser()), {-0.1, 0, -1}, {0.53, 0, -1}, 60), kFew);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(50, 1, 2), laser()), {0.3, 0, -1}, {0.36, 0, -1}, 60), kNarrow);
 }
 
 // The mean over the orders' tails between them leaves out how they interfere: 1/(pi^2 N) of an order.
 TEST(ClosedForm, OfAContinuum) {
-    EXPECT_LT(errorAlong(lightOf(slits(4, 1, 2), lamp()), {-0.1, 0, -1}, {0.53, 0, -1}, 10), kFew);
-    EXPECT_LT(errorAlong(lightOf(slits(50, 1, 2), lamp()), {-0.01, 0, -1}, {0.53, 0, -1}, 10), kNarrow);
-    EXPECT_LT(errorAlong(lightOf(slits(100, 1, 2), lamp()), {-0.01, 0, -1}, {0.53, 0, -1}, 10), 2e-3);
-    EXPECT_LT(errorAlong(lightOf(slits(500, 1, 2), lamp()), {0.2, 0, -1}, {0.3, 0, -1}, 2), kNarrow);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(4, 1, 2), lamp()), {-0.1, 0, -1}, {0.53, 0, -1}, 10), kFew);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(50, 1, 2), lamp()), {-0.01, 0, -1}, {0.53, 0, -1}, 10), kNarrow);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(100, 1, 2), lamp()), {-0.01, 0, -1}, {0.53, 0, -1}, 10), 2e-3);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(500, 1, 2), lamp()), {0.2, 0, -1}, {0.3, 0, -1}, 2), kNarrow);
 }
 
 TEST(ClosedForm, OfManySlitsNearAndFar) {
-    EXPECT_LT(errorAlong(lightOf(slits(500, 1, 2), laser()), {0.325, 0, -1}, {0.330, 0, -1}, 100), kNarrow);
-    EXPECT_LT(errorAlong(lightOf(slits(2500, 1, 2), laser()), {0.321, 0, -1}, {0.335, 0, -1}, 100), kWide);
-    EXPECT_LT(errorAlong(lightOf(slits(500, 1, 2), lamp()), {-0.001, 0, -1}, {0.001, 0, -1}, 4), kNarrow);
-    scene::Light focused = lightOf(slits(2500, 1, 2), laser());
+    EXPECT_LT(errorAlong(lightOfBeam(slits(500, 1, 2), laser()), {0.325, 0, -1}, {0.330, 0, -1}, 100),
+              kNarrow);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(2500, 1, 2), laser()), {0.321, 0, -1}, {0.335, 0, -1}, 100),
+              kWide);
+    EXPECT_LT(errorAlong(lightOfBeam(slits(500, 1, 2), lamp()), {-0.001, 0, -1}, {0.001, 0, -1}, 4), kNarrow);
+    scene::Light focused = lightOfBeam(slits(2500, 1, 2), laser());
     gratingOf(focused).beam.focus = 1.0 * m;
     EXPECT_LT(errorAlong(focused, {-0.0005, 0, -1}, {0.0005, 0, -1}, 60), kFew);
 }
@@ -107,32 +109,32 @@ TEST(ClosedForm, OfManySlitsNearAndFar) {
 // Across the slits the focus of 1.11 m lies on the wall where order 1 is, along them it does not; then a
 // parallel beam, and one that the slits fill by half.
 TEST(ClosedForm, OfRoundBeams) {
-    scene::Light light = lightOf(slits(2500, 1, 2), laser());
+    scene::Light light = lightOfBeam(slits(2500, 1, 2), laser());
     gratingOf(light).beam.profile = scene::BeamProfile::flat;
     EXPECT_LT(errorAlong(light, {0.321, 1e-3, -1}, {0.335, 1e-3, -1}, 20), kWide);
     gratingOf(light).beam.focus = 1.17 * m;
     EXPECT_LT(errorAlong(light, {0.3325, 1e-4, -1}, {0.3345, 1e-4, -1}, 20), kWide);
-    light = lightOf(slits(500, 1, 2), laser(), 2.0 * mm);
+    light = lightOfBeam(slits(500, 1, 2), laser(), 2.0 * mm);
     gratingOf(light).beam.profile = scene::BeamProfile::flat;
     EXPECT_LT(errorAlong(light, {0.3260, 1e-4, -1}, {0.3290, 1e-4, -1}, 20), kNarrow);
 }
 
 TEST(ClosedForm, OfObliqueBeams) {
-    scene::Light light = lightOf(slits(50, 1, 2), laser());
+    scene::Light light = lightOfBeam(slits(50, 1, 2), laser());
     gratingOf(light).beam.direction = glm::normalize(dvec3(0.2, 0.3, -1.0));
     EXPECT_LT(errorAlong(light, {0.2, 0.0, -1}, {0.2, 0.8, -1}, 800), kNarrow);
 }
 
 TEST(ClosedForm, AlongTheSlits) {
-    scene::Light light = lightOf(slits(4, 1, 2), laser());
+    scene::Light light = lightOfBeam(slits(4, 1, 2), laser());
     EXPECT_LT(errorAlong(light, {0.32, -0.005, -1}, {0.32, 0.005, -1}, 100), kFew);
-    light = lightOf(slits(4, 1, 2), laser(), 1.0 * mm);
+    light = lightOfBeam(slits(4, 1, 2), laser(), 1.0 * mm);
     gratingOf(light).beam.profile = scene::BeamProfile::gaussian;
     EXPECT_LT(errorAlong(light, {0.32, -0.005, -1}, {0.32, 0.005, -1}, 100), kNarrow);
 }
 
 TEST(ClosedForm, OfGivenOrders) {
-    scene::Light light = lightOf(slits(200, 1, 2), laser());
+    scene::Light light = lightOfBeam(slits(200, 1, 2), laser());
     gratingOf(light).efficiencies = {{1, optics::constantCurve(0.6)}, {-1, optics::constantCurve(0.1)}};
     EXPECT_LT(errorAlong(light, {0.325, 0, -1}, {0.330, 0, -1}, 100), kNarrow);
     EXPECT_LT(errorAlong(light, {-0.330, 0, -1}, {-0.325, 0, -1}, 100), kNarrow);
@@ -146,21 +148,21 @@ TEST(ClosedForm, OfOpenings) {
         optics::LatticeAperture{
             optics::CircularAperture{0.05 * mm, 0.0 * mm}, {1e-4, 0.0}, {0.0, 1e-4}, 2, 3}};
     for (const optics::Aperture& aperture : apertures) {
-        scene::Light light = lightOf(aperture, laser());
+        scene::Light light = lightOfBeam(aperture, laser());
         gratingOf(light).beam.focus = 1.0 * m;  // else the wall is in their near field
         EXPECT_LT(errorAlong(light, {-0.01, 0.002, -1}, {0.01, 0.002, -1}, 100), kFew) << aperture.index();
     }
-    const scene::Light small = lightOf(optics::RectangularAperture{20.0 * um, 10.0 * um}, lamp());
+    const scene::Light small = lightOfBeam(optics::RectangularAperture{20.0 * um, 10.0 * um}, lamp());
     EXPECT_LT(errorAlong(small, {-0.1, 0.002, -1}, {0.1, 0.002, -1}, 10), kFew);
 }
 
 TEST(ClosedForm, MasksAndOtherLightsHaveNone) {
-    EXPECT_FALSE(ClosedForm::of(lightOf(optics::MaskAperture{1, 1, 1.0 * mm, {1.0F}}, laser())));
+    EXPECT_FALSE(ClosedForm::of(lightOfBeam(optics::MaskAperture{1, 1, 1.0 * mm, {1.0F}}, laser())));
     EXPECT_FALSE(ClosedForm::of({"lamp", {1, 1, 1}, laser(), scene::PointLight{{0, 0, 0}, 1.0 * W}}));
 }
 
 TEST(ClosedForm, IsDarkBehindTheGratingAndOnTheBack) {
-    const auto form = ClosedForm::of(lightOf(slits(4, 1, 2), laser()));
+    const auto form = ClosedForm::of(lightOfBeam(slits(4, 1, 2), laser()));
     EXPECT_EQ(form->irradiance({0, 0, 1}, {0, 0, -1}, dvec3(0.0)), 0.0);
     EXPECT_EQ(form->irradiance({0, 0, -1}, {0, 0, -1}, dvec3(0.0)), 0.0);
     EXPECT_GT(form->irradiance({0, 0, -1}, {0, 0, 1}, dvec3(0.0)), 0.0);
@@ -170,7 +172,7 @@ TEST(ClosedForm, IsDarkBehindTheGratingAndOnTheBack) {
 TEST(ClosedForm, AveragesOverTheSample) {
     const dvec3 reach(0.01, 0, 0), normal(0, 0, 1);
     for (const std::uint32_t count : {4U, 200U}) {
-        scene::Light light = lightOf(slits(count, 1, 2), laser());
+        scene::Light light = lightOfBeam(slits(count, 1, 2), laser());
         gratingOf(light).beam.focus = 1.0 * m;
         const auto form = ClosedForm::of(light);
         const dvec3 middle(count == 4 ? 0.3 : 0.3329, 0, -1);

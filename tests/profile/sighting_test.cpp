@@ -11,7 +11,7 @@ namespace {
 using namespace units;
 
 // At the origin, light to -z, x across.
-scene::Light lightOf(optics::Aperture aperture, optics::Spectrum spectrum) {
+scene::Light lightOfNarrowBeam(optics::Aperture aperture, optics::Spectrum spectrum) {
     scene::Grating grating{};
     grating.normal = {0, 0, -1};
     grating.slitDirection = {0, -1, 0};
@@ -25,8 +25,9 @@ constexpr double kRounding = 1e-9;
 TEST(Sighting, HasTheGratingEquationsOrders) {
     scene::Scene scene;
     const optics::Slits slits{100, 1.0 * um, 2.0 * um};
-    scene.lights = {lightOf(slits, {{{380.0, 1.0}, {780.0, 1.0}}, {}}),
-                    lightOf(slits, {{}, {{600.0 * nm, 1.0, 0.0 * nm}, {500.0 * nm, 3.0, 0.0 * nm}}})};
+    scene.lights = {
+        lightOfNarrowBeam(slits, {{{380.0, 1.0}, {780.0, 1.0}}, {}}),
+        lightOfNarrowBeam(slits, {{}, {{600.0 * nm, 1.0, 0.0 * nm}, {500.0 * nm, 3.0, 0.0 * nm}}})};
     // 3-4-5: the sine is 0.6, and 0.6 d is 1200 nm.
     const auto sightings = sightingsFrom(scene, {0.3, 0.0, -0.4});
     ASSERT_EQ(sightings.size(), 2U);
@@ -48,7 +49,8 @@ TEST(Sighting, HasTheGratingEquationsOrders) {
 
 TEST(Sighting, OfTheOtherSideHasNegativeOrders) {
     scene::Scene scene;
-    scene.lights = {lightOf(optics::Slits{100, 1.0 * um, 2.0 * um}, {{{380.0, 1.0}, {780.0, 1.0}}, {}})};
+    scene.lights = {
+        lightOfNarrowBeam(optics::Slits{100, 1.0 * um, 2.0 * um}, {{{380.0, 1.0}, {780.0, 1.0}}, {}})};
     const auto sightings = sightingsFrom(scene, {-0.3, 0.0, -0.4});
     ASSERT_EQ(sightings[0].orders.size(), 2U);
     EXPECT_EQ(sightings[0].orders[0].order, -2);
@@ -60,7 +62,7 @@ TEST(Sighting, OfTheOtherSideHasNegativeOrders) {
 TEST(Sighting, OfAnOpeningHasBothSines) {
     scene::Scene scene;
     scene.lights = {
-        lightOf(optics::CircularAperture{1.0 * mm, 0.0 * mm}, {{}, {{600.0 * nm, 1.0, 0.0 * nm}}}),
+        lightOfNarrowBeam(optics::CircularAperture{1.0 * mm, 0.0 * mm}, {{}, {{600.0 * nm, 1.0, 0.0 * nm}}}),
         {"lamp", {1, 1, 1}, {}, scene::PointLight{{0, 0, 0}, 1.0 * W}}};
     const auto sightings = sightingsFrom(scene, {0.3, 0.2, -0.4});
     ASSERT_EQ(sightings.size(), 1U);

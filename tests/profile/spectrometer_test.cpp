@@ -29,7 +29,7 @@ scene::Light lightOf(std::uint32_t count) {
     return light;
 }
 
-scene::Grating& gratingOf(scene::Light& light) {
+scene::Grating& lampsGrating(scene::Light& light) {
     return std::get<scene::Grating>(light.model);
 }
 
@@ -46,7 +46,7 @@ TEST(Spectrometer, ReadsTheWavelengthOfEveryOrderObliqueAndConical) {
     int seen = 0;
     for (int i = 0; i < 2000; ++i) {
         scene::Light light = lightOf(1000);
-        scene::Grating& grating = gratingOf(light);
+        scene::Grating& grating = lampsGrating(light);
         grating.normal = randomUnit(random);
         grating.slitDirection = glm::normalize(glm::cross(grating.normal, randomUnit(random)));
         grating.position = randomUnit(random);
@@ -97,7 +97,7 @@ TEST(Spectrometer, TheFocusMakesUpForTheWay) {
         EXPECT_NEAR(spectrometer.focusFor(point), 1.0 / bend, 1e-5);
 
         scene::Light focused = lightOf(2500);
-        gratingOf(focused).beam.focus = spectrometer.focusFor(point) * m;
+        lampsGrating(focused).beam.focus = spectrometer.focusFor(point) * m;
         EXPECT_NEAR(Spectrometer(focused).footprint(point), 0.0, 1e-12);
         // Without a lens the footprint is the difference of the sines from either end of the slits.
         const double left = (x + 2.5e-3) / std::hypot(x + 2.5e-3, 1.0);
@@ -122,7 +122,7 @@ TEST(Spectrometer, TheSlopeOfOneSlitIsThatOfItsPattern) {
 TEST(Spectrometer, NeedsAGratingOfSeveralSlits) {
     EXPECT_THROW(Spectrometer(lightOf(1)), LineError);
     scene::Light circle = lightOf(2);
-    gratingOf(circle).aperture = optics::CircularAperture{1.0 * mm, 0.0 * mm};
+    lampsGrating(circle).aperture = optics::CircularAperture{1.0 * mm, 0.0 * mm};
     EXPECT_THROW(Spectrometer{circle}, LineError);
     EXPECT_THROW((Spectrometer{scene::Light{"lamp", {1, 1, 1}, {}, scene::PointLight{}}}), LineError);
 }
@@ -153,7 +153,7 @@ Samples pattern(const scene::Light& light, double from, double to, int count) {
 scene::Light focusedLight(std::uint32_t count, int order = 1) {
     scene::Light light = lightOf(count);
     const double sine = order * 589.3e-9 / 2e-6;
-    gratingOf(light).beam.focus = 1.0 * m / std::pow(1.0 - sine * sine, 1.5);
+    lampsGrating(light).beam.focus = 1.0 * m / std::pow(1.0 - sine * sine, 1.5);
     return light;
 }
 

@@ -6,24 +6,18 @@
 #include <atomic>
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 #include <numbers>
 
 #include "optics/color.hpp"
 #include "optics/sources.hpp"
 #include "oracle/slit_color.hpp"
 #include "qualify/cpu_sum.hpp"
+#include "qualify/device.hpp"
 
 namespace fringe::qualify {
 namespace {
 
 using glm::dvec3;
-
-const gpu::Device& device() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    static const gpu::Device one({.selector = selector != nullptr ? selector : "", .validation = true});
-    return one;
-}
 
 const EvaluatorCase& caseNamed(std::string_view name) {
     for (const EvaluatorCase& which : evaluatorCases())

@@ -4,21 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <set>
 #include <string>
 
 #include "qualify/cases.hpp"
+#include "qualify/device.hpp"
 #include "shaders/wrong_probe.comp.h"
 
 namespace fringe::qualify {
 namespace {
-
-const gpu::Device& device() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    static const gpu::Device one({.selector = selector != nullptr ? selector : "", .validation = true});
-    return one;
-}
 
 class StressOnDevice : public testing::Test {
 protected:

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "compile/grating_grid.hpp"
 #include "compile/grating_reach.hpp"
 #include "compile/lit_tiles.hpp"
 #include "render/pieces.hpp"
+#include "render/random.hpp"
 #include "render/rendering.hpp"
 
 namespace fringe::testing {
@@ -21,25 +21,6 @@ using compile::LitTiles;
 using compile::Region;
 using glm::dvec3;
 using namespace units;
-
-constexpr std::uint32_t kSeed = 11;
-
-class Random {
-public:
-    double between(double low, double high) {
-        return low +
-               (high - low) * (static_cast<double>(generator_()) / 4294967295.0);  // the same everywhere
-    }
-    dvec3 point(double extent) {
-        const double x = between(-extent, extent), y = between(-extent, extent);
-        return {x, y, between(-extent, extent)};
-    }
-    dvec3 direction() { return glm::normalize(point(1.0) + dvec3(1e-3)); }
-    bool oneIn(int times) { return between(0.0, times) < 1.0; }
-
-private:
-    std::mt19937 generator_{kSeed};
-};
 
 enum class Kind { thesis, slits, lines, opening };
 
@@ -102,7 +83,7 @@ scene::Scene roomWith(int thesis, int slits, int lines, int openings) {
         // Metals would have every path carry bands.
         if (std::holds_alternative<scene::Conductor>(material.model)) material.model = scene::Dielectric{1.4};
     }
-    Random random;
+    Random random(11);
     const std::array counts{thesis, slits, lines, openings};
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         for (int i = 0; i < counts[kind]; ++i)
@@ -156,7 +137,7 @@ TEST(GratingReach, TakesInEveryPointThatAGratingMayLight) {
         if (std::holds_alternative<scene::ThesisGrating>(light.model) || grating != nullptr)
             lights.push_back(&light);
     }
-    Random random;
+    Random random(11);
     std::size_t lit = 0, leftOut = 0;
     for (int i = 0; i < 3000; ++i) {
         const double size = std::exp2(random.between(-10.0, 0.0));
@@ -314,7 +295,7 @@ TEST(LitTilesOnDevice, LeaveOutGratingsThatLightNothing) {
 }
 
 TEST(Pieces, CoverEachPixelOnceAsItsTileSays) {
-    Random random;
+    Random random(11);
     LitTiles tiles{7, 5, {}};
     for (int i = 0; i < 35; ++i) tiles.lit.push_back(random.oneIn(3));
     const render::Piece whole{40, 24, 184, 136, true};

@@ -30,9 +30,9 @@ scene::Scene withoutGratings(scene::Scene scene) {
 }
 
 // The pattern on the back wall of a figure that looks straight at it.
-class Wall {
+class BackWall {
 public:
-    explicit Wall(const char* figure) {
+    explicit BackWall(const char* figure) {
         const scene::Scene scene = sceneFile(std::string("scenes/thesis/") + figure);
         pattern_ = renderOnDevice(scene);
         const image::Image dark = renderOnDevice(withoutGratings(scene));
@@ -94,15 +94,15 @@ double nearZero(int slits) {
 
 TEST(FiguresOnDevice, BandsAreNoHigherThanTheBeam) {
     for (const char* figure : {"figure-16.json", "figure-17.json"}) {
-        EXPECT_LT(Wall(figure).outsideBands(kHeights), 1e-6)
+        EXPECT_LT(BackWall(figure).outsideBands(kHeights), 1e-6)
             << figure;  // rounding of a difference of two sums
     }
-    EXPECT_LT(Wall("figure-15.json").outsideBands({0.0}), 1e-6);
+    EXPECT_LT(BackWall("figure-15.json").outsideBands({0.0}), 1e-6);
 }
 
 TEST(FiguresOnDevice, UnattenuatedBandsEndAbruptlyAndAttenuatedOnesFade) {
-    const Wall square("figure-16.json");
-    const Wall round("figure-17.json");
+    const BackWall square("figure-16.json");
+    const BackWall round("figure-17.json");
     for (double height : kHeights) {
         EXPECT_NEAR(square.at(0.0, height + 0.095, 1), 1.0, 1e-3);
         // 1 - (2 s/D)^2 at 0.8 of the beam's radius, to half a pixel of 3.4 mm.
@@ -111,7 +111,7 @@ TEST(FiguresOnDevice, UnattenuatedBandsEndAbruptlyAndAttenuatedOnesFade) {
 }
 
 TEST(FiguresOnDevice, TheMinimaOfTheSingleSlitAreSharedByAllSlitCounts) {
-    const Wall wall("figure-16.json");
+    const BackWall wall("figure-16.json");
     for (int c = 0; c < 3; ++c) {
         const double x = placeOf(kWavelengths[c] / kSlit);
         if (x > 0.97) continue;  // 700 nm: 980 mm, at the very edge of the wall
@@ -123,7 +123,7 @@ TEST(FiguresOnDevice, TheMinimaOfTheSingleSlitAreSharedByAllSlitCounts) {
 }
 
 TEST(FiguresOnDevice, PrincipalMaximaStandAtTheOrdersAndMinimaBetweenThem) {
-    const Wall wall("figure-16.json");
+    const BackWall wall("figure-16.json");
     for (int c = 0; c < 3; ++c) {
         const double first = kWavelengths[c] / kPeriod;  // sine of order 1
         for (int slits = 2; slits <= 5; ++slits) {
@@ -140,7 +140,7 @@ TEST(FiguresOnDevice, PrincipalMaximaStandAtTheOrdersAndMinimaBetweenThem) {
 }
 
 TEST(FiguresOnDevice, LongerWavelengthsSpreadWider) {
-    const Wall wall("figure-23.json");
+    const BackWall wall("figure-23.json");
     std::array<double, 3> halfWidth{};
     for (int c = 0; c < 3; ++c) {
         double x = 0.0;
@@ -154,10 +154,10 @@ TEST(FiguresOnDevice, LongerWavelengthsSpreadWider) {
 }
 
 TEST(FiguresOnDevice, OneChannelFiguresAddUpToTheThird) {
-    const Wall all("figure-23.json");
+    const BackWall all("figure-23.json");
     const std::array figures{"figure-20.json", "figure-21.json", "figure-22.json"};
     for (int c = 0; c < 3; ++c) {
-        const Wall one(figures[c]);
+        const BackWall one(figures[c]);
         for (double x = -0.9; x < 0.9; x += 0.01) {
             EXPECT_NEAR(one.at(x, 0.34, c), all.at(x, 0.34, c), 1e-6);
             EXPECT_NEAR(one.at(x, 0.34, (c + 1) % 3), 0.0, 1e-6);

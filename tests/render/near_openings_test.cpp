@@ -48,7 +48,7 @@ glm::dvec3 expectedAt(const scene::Scene& scene, std::uint32_t x, std::uint32_t 
 }
 
 // The largest difference over a diagonal and the row in the middle, relative to the brightest pixel.
-double deviation(const scene::Scene& scene, std::uint32_t step) {
+double largestError(const scene::Scene& scene, std::uint32_t step) {
     const image::Image device = renderOnDevice(scene);
     double peak = 0.0, worst = 0.0;
     for (const image::Pixel& pixel : device.pixels) peak = std::max(peak, largest(pixel));
@@ -70,7 +70,7 @@ class NearOpeningOnDevice : public ::testing::TestWithParam<OpeningScene> {};
 // What is left is Fresnel's quadratic phase, which the oracle does not have, the mean over the finite pixel,
 // and 128 or fewer wavelengths: 4e-4, and 1.2e-3 on the slanting wall.
 TEST_P(NearOpeningOnDevice, IsAsTheSumOfWavesHasIt) {
-    EXPECT_LE(deviation(nearScene(GetParam()), 91), 2e-3);
+    EXPECT_LE(largestError(nearScene(GetParam()), 91), 2e-3);
 }
 
 constexpr const char* kObliqueWall = "[0.3, 0.2, 1]";
@@ -112,7 +112,7 @@ TEST(NearOpeningsOnDevice, WalkThroughTheTransitionsWithoutASeam) {
             scene::Scene scene =
                 nearScene({"", aperture.c_str(), kGreen, kWhite, kRows / 640.0 * 4.0 * 0.532 / size_um});
             scene.image.height = kRows;
-            EXPECT_LE(deviation(scene, 91), 1e-4) << aperture;  // as LEAST_FRESNEL_NUMBER has it
+            EXPECT_LE(largestError(scene, 91), 1e-4) << aperture;  // as LEAST_FRESNEL_NUMBER has it
         }
     }
 }

@@ -11,7 +11,7 @@ namespace fringe::testing {
 namespace {
 
 // Samples of 2.7 mm and more on walls, whose ripples at 2.7 m are 1.5 mm wide.
-scene::Scene room() {
+scene::Scene fiveGratings() {
     scene::Scene scene = sceneFile("scenes/gratings/five-gratings.json");
     scene.image.width = scene.image.height = 560;
     scene.image.samples = 1;
@@ -31,24 +31,24 @@ scene::Grating& firstGrating(scene::Scene& scene) {
 }
 
 TEST(Ripples, AverageOutOverCoarseSamples) {
-    EXPECT_FALSE(ripplesShow(room()));
+    EXPECT_FALSE(ripplesShow(fiveGratings()));
 }
 
 TEST(Ripples, ShowInFineSamples) {
-    scene::Scene scene = room();
+    scene::Scene scene = fiveGratings();
     scene.image.samples = 16;
     EXPECT_TRUE(ripplesShow(scene));
 }
 
 TEST(Ripples, ShowOnASurfaceAlongTheBeam) {
-    scene::Scene scene = room();
+    scene::Scene scene = fiveGratings();
     firstGrating(scene).position.y =
         1.0;  // half of the beam meets the ceiling, whose points lie at one height
     EXPECT_TRUE(ripplesShow(scene));
 }
 
 TEST(Ripples, ShowOnACurvedSurface) {
-    scene::Scene scene = room();
+    scene::Scene scene = fiveGratings();
     scene.objects.push_back({"", scene::Sphere{{0, 0.68, -0.5}, 0.1}, 0});
     EXPECT_TRUE(ripplesShow(scene));
     // Behind the grating, and between two beams, it changes nothing.
@@ -59,7 +59,7 @@ TEST(Ripples, ShowOnACurvedSurface) {
 }
 
 TEST(Ripples, AverageOutUnderAWideSource) {
-    scene::Scene scene = room();
+    scene::Scene scene = fiveGratings();
     scene.image.samples = 16;
     scene.objects.erase(scene.objects.begin() + 1, scene.objects.end());  // the back wall, 1.25 m away
     EXPECT_TRUE(ripplesShow(scene));
@@ -75,7 +75,7 @@ TEST(Ripples, AverageOutUnderAWideSource) {
 // nothing (hiding() is 1 from there on), and rounding moves the rest by a few units in the last place of the
 // peak.
 TEST(RipplesOnDevice, AreLeftOutWithoutATrace) {
-    const scene::Scene scene = room();
+    const scene::Scene scene = fiveGratings();
     const image::Image without = renderOnDevice(scene);
     const image::Image with = renderOnDevice(
         scene, {.change = [](device::Specialisation& constants) { constants.HAS_RIPPLES = 1; }});

@@ -96,7 +96,7 @@ TEST_P(SlitsOnDevice, AreTheSumOfTheirWaves) {
 
 const optics::Spectrum kDaylight = *optics::namedSpectrum("D65");
 const optics::Curve kGrey = optics::constantCurve(0.75);
-const optics::Curve kRed = optics::reflectanceCurve({0.6, 0.06, 0.05});
+const optics::Curve kRedPaint = optics::reflectanceCurve({0.6, 0.06, 0.05});
 
 optics::Slits slits(std::uint32_t count, double width_um, double period_um) {
     return {count, width_um * um, period_um * um};
@@ -121,11 +121,12 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{"one slit", slits(1, 1, 1), kTall, kDaylight, kGrey, 0.2, 2e-3, kTables},
         Case{"four slits", slits(4, 1, 2), kTall, kDaylight, kGrey, 0.2, 1e-3, kTables},
-        Case{"four slits on red", slits(4, 1, 2), kTall, kDaylight, kRed, 0.2, 1e-3, kTables},
+        Case{"four slits on red", slits(4, 1, 2), kTall, kDaylight, kRedPaint, 0.2, 1e-3, kTables},
         Case{"four slits seen in gold", slits(4, 1, 2), kTall, kDaylight, kGrey, 0.2, 1e-3, kTables, true},
         Case{"fifty slits, undeviated", slits(50, 0.5, 1.6), kTall, kDaylight, kGrey, 0.0, 0.001, kTables},
         Case{"fifty slits, order 1", slits(50, 0.5, 1.6), kTall, kDaylight, kGrey, 0.32, 6e-4, kTables},
-        Case{"fifty slits, order 1, red", slits(50, 0.5, 1.6), kTall, kDaylight, kRed, 0.4, 6e-4, kTables},
+        Case{"fifty slits, order 1, red", slits(50, 0.5, 1.6), kTall, kDaylight, kRedPaint, 0.4, 6e-4,
+             kTables},
         Case{"fifty slits seen in gold", slits(50, 0.5, 1.6), kTall, kDaylight, kGrey, 0.34, 6e-4, kTables,
              true, 12, 1},
         Case{"coarse, order 1", slits(50, 4, 8), kTall, kDaylight, kGrey, 0.06, 2e-4, kTables}));
@@ -176,25 +177,26 @@ INSTANTIATE_TEST_SUITE_P(GivenOrders, SlitsOnDevice,
 // the wall.
 INSTANTIATE_TEST_SUITE_P(
     CoarseSlits, SlitsOnDevice,
-    ::testing::Values(
-        Case{"Young, undeviated", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.0006, 3e-5, kTables, false,
-             60, 1},
-        Case{"Young, third fringe", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.006, 3e-5, kTables, false,
-             60, 1},
-        Case{"Young on red", slits(2, 100, 250), kBroad, kDaylight, kRed, 0.003, 3e-5, kTables, false, 60, 1},
-        Case{"Young seen in gold", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.003, 3e-5, kTables, true,
-             40, 1},
-        Case{"Young, laser", slits(2, 100, 250), kBroad, optics::laser(633.0 * nm, {}), kGrey, 0.003, 3e-5,
-             kTables, false, 60, 1},
-        Case{"5 slits", slits(5, 20, 60), kBroad, kDaylight, kGrey, 0.009, 3e-5, kTables, false, 80, 1},
-        Case{"20 slits, undeviated", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0, 5e-6, 2e-3, false, 80,
-             1},
-        Case{"20 slits, order 1", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0048, 5e-6, 2e-3, false, 80,
-             1},
-        Case{"20 slits, order 4", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.022, 5e-6, 6e-3, false, 80,
-             1},
-        Case{"20 slits, laser", slits(20, 20, 100), kBroad, optics::laser(550.0 * nm, {}), kGrey, 0.0055,
-             5e-6, 2e-3, false, 80, 1}));
+    ::testing::Values(Case{"Young, undeviated", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.0006, 3e-5,
+                           kTables, false, 60, 1},
+                      Case{"Young, third fringe", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.006, 3e-5,
+                           kTables, false, 60, 1},
+                      Case{"Young on red", slits(2, 100, 250), kBroad, kDaylight, kRedPaint, 0.003, 3e-5,
+                           kTables, false, 60, 1},
+                      Case{"Young seen in gold", slits(2, 100, 250), kBroad, kDaylight, kGrey, 0.003, 3e-5,
+                           kTables, true, 40, 1},
+                      Case{"Young, laser", slits(2, 100, 250), kBroad, optics::laser(633.0 * nm, {}), kGrey,
+                           0.003, 3e-5, kTables, false, 60, 1},
+                      Case{"5 slits", slits(5, 20, 60), kBroad, kDaylight, kGrey, 0.009, 3e-5, kTables, false,
+                           80, 1},
+                      Case{"20 slits, undeviated", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0, 5e-6,
+                           2e-3, false, 80, 1},
+                      Case{"20 slits, order 1", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.0048, 5e-6,
+                           2e-3, false, 80, 1},
+                      Case{"20 slits, order 4", slits(20, 20, 100), kBroad, kDaylight, kGrey, 0.022, 5e-6,
+                           6e-3, false, 80, 1},
+                      Case{"20 slits, laser", slits(20, 20, 100), kBroad, optics::laser(550.0 * nm, {}),
+                           kGrey, 0.0055, 5e-6, 2e-3, false, 80, 1}));
 
 // A thousand slits cost the reference 0.3 s a point.
 INSTANTIATE_TEST_SUITE_P(ManySlits, SlitsOnDevice,

@@ -64,7 +64,7 @@ std::vector<std::function<void(scene::Scene&)>> changes() {
 }
 
 // Three gratings and walls of three colours.
-scene::Scene room() {
+scene::Scene fourGratings() {
     scene::Scene scene = sceneFile("scenes/gratings/five-gratings.json");
     scene.lights.resize(4);
     return scene;
@@ -72,7 +72,7 @@ scene::Scene room() {
 
 TEST(TableMemo, ChangesNoTable) {
     TableMemo memo;
-    scene::Scene scene = room();
+    scene::Scene scene = fourGratings();
     for (const auto& change : changes()) {
         for (const compile::Measure measure : {compile::Measure::color, compile::Measure::radiance}) {
             const compile::CompiledScene remembered = compile::compileScene(scene, measure, &memo);
@@ -156,7 +156,7 @@ DraftAndWhole draftAndWhole(const scene::Scene& scene, TableMemo& memo) {
 TEST(TableMemo, MakesDraftsForAMovingSceneAlone) {
     for (const std::uint32_t count : {2U, 40U, 3000U}) {
         TableMemo memo;
-        scene::Scene scene = room();
+        scene::Scene scene = fourGratings();
         const compile::CompiledScene before = compile::compileScene(scene, compile::Measure::color, &memo);
         memo.wantDrafts(true);
         const compile::CompiledScene same = compile::compileScene(scene, compile::Measure::color, &memo);

@@ -8,8 +8,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
-#include <random>
 
+#include "render/random.hpp"
 #include "render/rendering.hpp"
 
 namespace fringe::testing {
@@ -19,28 +19,10 @@ using compile::Tree;
 using compile::TreeLeaf;
 using glm::dvec3;
 
-constexpr std::uint32_t kSeed = 7;
-
-class Random {
-public:
-    double between(double low, double high) {
-        return low +
-               (high - low) * (static_cast<double>(generator_()) / 4294967295.0);  // the same everywhere
-    }
-    dvec3 point(double extent) {
-        const double x = between(-extent, extent), y = between(-extent, extent);
-        return {x, y, between(-extent, extent)};
-    }
-    dvec3 direction() { return glm::normalize(point(1.0) + dvec3(0.0, 0.0, 1.5)); }
-
-private:
-    std::mt19937 generator_{kSeed};
-};
-
 // ---- the tree itself -----------------------------------------------------------------------------
 
 std::vector<TreeLeaf> randomLeaves(std::size_t count, double extent, double size) {
-    Random random;
+    Random random(7);
     std::vector<TreeLeaf> leaves;
     for (std::size_t i = 0; i < count; ++i) {
         const dvec3 low = random.point(extent);
@@ -118,7 +100,7 @@ TEST(Tree, IsNoneForFewerThanTwoShapes) {
 // glass and of metal; and two in the same place, of which the first is to be seen.
 scene::Scene crowd() {
     scene::Scene scene = sceneFile("tests/render/primitives.json");
-    Random random;
+    Random random(7);
     const auto add = [&](const scene::Shape& shape) {
         constexpr std::array kMaterials{"red", "grey", "red", "glass", "grey", "red", "grey", "gold"};
         const auto* name = kMaterials.at(scene.objects.size() % kMaterials.size());
@@ -128,7 +110,7 @@ scene::Scene crowd() {
     };
     for (int i = 0; i < 40; ++i) {
         const dvec3 p = dvec3(0.0, 0.8, -0.5) + random.point(0.8) * dvec3(2.0, 1.0, 1.0);
-        const dvec3 a = random.direction();
+        const dvec3 a = glm::normalize(random.point(1.0) + dvec3(0.0, 0.0, 1.5));
         const dvec3 u = glm::normalize(glm::cross(a, dvec3(0.0, 1.0, 0.0)));
         const dvec3 v = glm::cross(a, u);
         const double r = random.between(0.03, 0.12);
@@ -175,7 +157,7 @@ TEST(TreeOnDevice, RendersMoreShapesThanSmallTexelBuffersHold) {
     scene::Scene scene = sceneFile("tests/render/primitives.json");
     scene.image.width = scene.image.height = 64;
     scene.objects.erase(scene.objects.begin() + 1, scene.objects.end());  // leaves the floor
-    Random random;
+    Random random(7);
     for (int i = 0; i < 20'000; ++i) {
         const dvec3 p = dvec3(0, 0.8, -0.5) + random.point(0.8) * dvec3(2, 1, 1);
         scene.objects.push_back({{}, scene::Sphere{p, random.between(0.005, 0.02)}, 0});
@@ -196,7 +178,7 @@ TEST(TreeOnDevice, AgreesWithTheReference) {
 // The seventeenth sphere, behind the camera, is what makes a tree of sixteen that were looked at in turn.
 TEST(TreeOnDevice, GivesThePictureOfTheUnrolledLoopOverFew) {
     scene::Scene scene = sceneFile("tests/render/primitives.json");
-    Random random;
+    Random random(7);
     while (std::count_if(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
                return std::holds_alternative<scene::Sphere>(object.shape);
            }) < 16) {

@@ -6,16 +6,6 @@
 namespace fringe::scene {
 namespace {
 
-std::string problemsOfObject(std::string_view object) {
-    return problemsOf(sceneWith(object));
-}
-std::string problemsOfLight(std::string_view light) {
-    return problemsOf(sceneWith("", light));
-}
-std::string problemsOfCamera(std::string_view camera) {
-    return problemsOf(sceneWithCamera(camera));
-}
-
 // A grating light; its slit direction is on line 9 in column 19, its aperture on line 10 in column 13.
 std::string gratingWith(std::string_view normal, std::string_view slitDirection, std::string_view slits) {
     return fmt::format(R"({{"type": "grating", "model": "thesis", "position": [0, 0, 0], "normal": {},

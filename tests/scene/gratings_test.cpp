@@ -39,7 +39,7 @@ std::string problemsOfGrating(std::string_view beam, std::string_view aperture =
 }
 
 // What the visible part of a line is known to.
-constexpr double kLine = 1e-9;
+constexpr double kNearlyExact = 1e-9;
 
 // ---- values --------------------------------------------------------------------------------------
 
@@ -83,7 +83,7 @@ TEST(SceneGratings, BeamWithEveryKey) {
     EXPECT_EQ(beam.focus, 2.0 * m);
     ASSERT_EQ(light.spectrum.lines.size(), 1U);
     EXPECT_EQ(light.spectrum.lines[0].width, 0.25 * nm);
-    EXPECT_NEAR(light.spectrum.lines[0].power, 1.0, kLine);
+    EXPECT_NEAR(light.spectrum.lines[0].power, 1.0, kNearlyExact);
 }
 
 TEST(SceneGratings, LinewidthLeavesLinesThatHaveTheirOwn) {
@@ -96,8 +96,8 @@ TEST(SceneGratings, LinewidthKeepsTheWattOfALineAtTheEnd) {
     const std::string text = sceneWithGrating(
         R"("diameter": "3 mm", "linewidth": "1 nm", "spectrum": {"type": "laser", "wavelength": "380 nm"})");
     const optics::Spectrum spectrum = parseScene(text, "s").lights.at(0).spectrum;
-    EXPECT_NEAR(spectrum.lines.at(0).power, 2.0, kLine);  // half of it is invisible
-    EXPECT_NEAR(optics::visiblePower(spectrum), 1.0, kLine);
+    EXPECT_NEAR(spectrum.lines.at(0).power, 2.0, kNearlyExact);  // half of it is invisible
+    EXPECT_NEAR(optics::visiblePower(spectrum), 1.0, kNearlyExact);
 }
 
 TEST(SceneGratings, RectangularBeam) {

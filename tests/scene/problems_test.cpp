@@ -6,17 +6,8 @@
 namespace fringe::scene {
 namespace {
 
-std::string problemsOfObject(std::string_view object) {
-    return problemsOf(sceneWith(object));
-}
-std::string problemsOfLight(std::string_view light) {
-    return problemsOf(sceneWith("", light));
-}
 std::string problemsOfMaterial(std::string_view material) {
     return problemsOf(sceneWithMaterial(material));
-}
-std::string problemsOfCamera(std::string_view camera) {
-    return problemsOf(sceneWithCamera(camera));
 }
 
 // A grating light with the given aperture, which begins in column 113.

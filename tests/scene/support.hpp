@@ -51,4 +51,14 @@ inline std::string problemsOf(std::string_view text, const std::vector<Override>
     }
 }
 
+inline std::string problemsOfObject(std::string_view object) {
+    return problemsOf(sceneWith(object));
+}
+inline std::string problemsOfLight(std::string_view light) {
+    return problemsOf(sceneWith("", light));
+}
+inline std::string problemsOfCamera(std::string_view camera) {
+    return problemsOf(sceneWithCamera(camera));
+}
+
 }  // namespace fringe::scene

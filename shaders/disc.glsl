@@ -29,12 +29,40 @@ float clearSheet(float cosine, float index) {
 // Cosine of a direction within the medium over the track, from the sum of squares of its other two cosines.
 float cosineInside(OpticalDisc disc, float sineSquared) { return sqrt(max(1.0 - sineSquared / (disc.bend * disc.bend), 0.0)); }
 
-// |e^{i phase} - 1|^2 for light that comes and goes under these cosines, both together.
-float phaseContrast(OpticalDisc disc, float wavelength_um, float cosines) {
-    float halfTurns = disc.depth_um * cosines / wavelength_um;
+// |e^{i phase} - 1|^2 by half the phase in turns.
+float contrastOf(float halfTurns) {
     float r = halfTurns - roundEven(halfTurns);
     float sine = r * sinPiOverX(r * r);
     return 4.0 * sine * sine;
+}
+
+// The same for light that comes and goes under these cosines, both together.
+float phaseContrast(OpticalDisc disc, float wavelength_um, float cosines) {
+    return contrastOf(disc.depth_um * cosines / wavelength_um);
+}
+
+// What orders 1, 2, ... carry at a contrast of 1, one after the other: (pit share/(pi m))^2 sin^2(pi m width/pitch), without a look-up,
+// which costs a processor as much as all else of an order. 1 - cos(m x) by the recurrence that keeps its digits at small x (C. Reinsch,
+// in J. Stoer, R. Bulirsch, "Introduction to Numerical Analysis", 1.3).
+struct OrderStrengths {
+    float scale;
+    float first;         // 1 - cos x, x = 2 pi width/pitch
+    float here;          // 1 - cos(m x)
+    float change;        // from m - 1 to m
+};
+
+OrderStrengths orderStrengths(OpticalDisc disc) {
+    float share = disc.pitWidth_um / disc.pitch_um;
+    float r = share - roundEven(share);
+    float sine = r * sinPiOverX(r * r);
+    float first = 2.0 * sine * sine;
+    float pitShare = disc.pits / share;
+    return OrderStrengths(0.5 * pitShare * pitShare * 0.101321184, first, first, first);   // 1/pi^2
+}
+float strengthOf(OrderStrengths s, float m) { return s.scale * s.here / (m * m); }
+void advance(inout OrderStrengths s) {
+    s.change += 2.0 * s.first * (1.0 - s.here);
+    s.here += s.change;
 }
 
 // Of a table with an entry per spectral band.
@@ -44,45 +72,50 @@ float bandValue(uint table, float wavelength_um) {
     return mix(tables[table + k], tables[table + k + 1u], place - float(k));
 }
 
-float metalReflectance(OpticalDisc disc, float wavelength_um, float cosine) {
+// n + ik of the metal at the middle of a band, seen from within the medium over the track.
+vec2 metalIndex(OpticalDisc disc, uint band) {
+    if (decided(disc.metal) == NO_METAL) return vec2(0.0);
+    uint at = scene.frame.metals + 2u * (disc.metal * BANDS + band);
+    return vec2(tables[at], tables[at + 1u]) / disc.bend;
+}
+vec2 metalIndex(OpticalDisc disc, float wavelength_um) {
     float place = bandPlace(wavelength_um);
-    uint at = scene.frame.metals + 2u * (disc.metal * BANDS + uint(place));
-    vec2 index = mix(vec2(tables[at], tables[at + 1u]), vec2(tables[at + 2u], tables[at + 3u]), fract(place)) / disc.bend;
-    return fresnelConductor(cosine, index.x, index.y);
+    return mix(metalIndex(disc, uint(place)), metalIndex(disc, uint(place) + 1u), fract(place));
 }
 
 // Share of the light that comes under `cosIn` and leaves under `cosOut` with the mirror in between, without what the track
 // makes of it. Light that the cover's surface throws back meets the mirror again.
-float mirrorShare(OpticalDisc disc, float wavelength_um, float cosIn, float cosOut) {
+float mirrorShare(OpticalDisc disc, vec2 metalIndex_, float cosIn, float cosOut) {
     float ignored;
     if (decided(disc.metal) == NO_METAL) return fresnelDielectric(0.5 * (cosIn + cosOut), disc.index, ignored);
     float in_ = fresnelDielectric(cosIn, disc.index, ignored);
     float out_ = fresnelDielectric(cosOut, disc.index, ignored);
     float inside = 0.5 * (cosineInside(disc, 1.0 - cosIn * cosIn) + cosineInside(disc, 1.0 - cosOut * cosOut));
-    float metal = metalReflectance(disc, wavelength_um, inside);
+    float metal = fresnelConductor(inside, metalIndex_.x, metalIndex_.y);
     return (1.0 - in_) * (1.0 - out_) * metal / (1.0 - metal * sqrt(in_ * out_));
 }
 
 // Scalar shares of the orders have the sum 1 with the evanescent ones, which carry nothing: this is what the others are
 // multiplied by. `alpha`, `betaSquared`: the cosine of the light's way across the track, and that along it squared.
-float renormalisation(OpticalDisc disc, float wavelength_um, float alpha, float betaSquared) {
+// `scatteringShare`: of what the pits scatter, the part that propagates.
+float renormalisation(OpticalDisc disc, float wavelength_um, float alpha, float betaSquared, float scatteringShare) {
     if (decided(disc.isCoarse) != 0u) return 1.0;
     float inside = cosineInside(disc, alpha * alpha + betaSquared);
     float contrast = phaseContrast(disc, wavelength_um, 2.0 * inside);
     float sum = 1.0 - contrast * disc.pits * (1.0 - disc.pits);
-    float step_ = wavelength_um / disc.pitch_um;
-    uint last = min(disc.orderCount, uint(2.0 / step_));
-    for (uint m = 1u; m <= last; ++m) {
-        float strength = tables[disc.orders + m - 1u];
-        float up = alpha + float(m) * step_;
-        float down = alpha - float(m) * step_;
-        float upSquared = up * up + betaSquared;
-        float downSquared = down * down + betaSquared;
-        if (upSquared < 1.0) sum += strength * phaseContrast(disc, wavelength_um, inside + cosineInside(disc, upSquared));
-        if (downSquared < 1.0) sum += strength * phaseContrast(disc, wavelength_um, inside + cosineInside(disc, downSquared));
+    float perOrder = wavelength_um / disc.pitch_um, halfTurns = disc.depth_um / wavelength_um;
+    float perBendSquared = 1.0 / (disc.bend * disc.bend);
+    float most = min(float(disc.orderCount), (1.0 + abs(alpha)) / perOrder);
+    OrderStrengths s = orderStrengths(disc);
+    for (float m = 1.0; m <= most; m += 1.0) {
+        vec2 alphas = alpha + vec2(m, -m) * perOrder;
+        vec2 squares = alphas * alphas + betaSquared;
+        vec2 insides = inside + sqrt(max(1.0 - squares * perBendSquared, 0.0));
+        sum += strengthOf(s, m) * ((squares.x < 1.0 ? contrastOf(halfTurns * insides.x) : 0.0) +
+                                   (squares.y < 1.0 ? contrastOf(halfTurns * insides.y) : 0.0));
+        advance(s);
     }
-    float scattered = HAS_SCATTERING != 0u ? contrast * disc.scattering * bandValue(disc.scatteringShares, wavelength_um) : 0.0;
-    return (1.0 - scattered) / sum;
+    return (1.0 - contrast * disc.scattering * scatteringShare) / sum;
 }
 
 // Share of the light per unit of the change `u` of the cosine across a wide groove, by the slope that reflects it there: a
@@ -108,26 +141,30 @@ float orderShare(OpticalDisc disc, TrackView v, float order, float wavelength_um
     } else {
         float cosines = cosineInside(disc, 1.0 - cosSquared) + cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
         share = tables[disc.orders + uint(abs(order)) - 1u] * phaseContrast(disc, wavelength_um, cosines) *
-                renormalisation(disc, wavelength_um, alpha, betaSquared);
+                renormalisation(disc, wavelength_um, alpha, betaSquared,
+                                HAS_SCATTERING != 0u ? bandValue(disc.scatteringShares, wavelength_um) : 0.0);
     }
-    return share * mirrorShare(disc, wavelength_um, sqrt(cosSquared), v.cosOut);
+    return share * mirrorShare(disc, metalIndex(disc, wavelength_um), sqrt(cosSquared), v.cosOut);
 }
 
 // Share of the light that is reflected as by a mirror, at the cover's surface and in order 0 of the track. `isTrack`: false
 // for plain metal.
-float undeviatedShare(OpticalDisc disc, vec2 out_, float cosine, float wavelength_um, bool isTrack) {
+float undeviatedShare(OpticalDisc disc, vec2 out_, float cosine, uint band, bool isTrack) {
+    float wavelength_um = bandMiddle_um(band);
     float share = 1.0;
     if (isTrack && decided(disc.isGiven) != 0u) {
-        share = bandValue(disc.orders + disc.orderCount * SPECTRAL_BANDS, wavelength_um);
+        share = tables[disc.orders + disc.orderCount * SPECTRAL_BANDS + band];
     } else if (HAS_GROOVES != 0u && isTrack && disc.grooveSlope > 0.0) {
         share = 1.0 - disc.pits;
     } else if (isTrack) {
         float contrast = phaseContrast(disc, wavelength_um, 2.0 * cosineInside(disc, 1.0 - cosine * cosine));
-        share = (1.0 - contrast * disc.pits * (1.0 - disc.pits)) * renormalisation(disc, wavelength_um, out_.x, out_.y * out_.y);
+        share = (1.0 - contrast * disc.pits * (1.0 - disc.pits)) *
+                renormalisation(disc, wavelength_um, out_.x, out_.y * out_.y,
+                                HAS_SCATTERING != 0u ? tables[disc.scatteringShares + band] : 0.0);
     }
     float ignored;
     float cover = disc.metal == NO_METAL ? 0.0 : fresnelDielectric(cosine, disc.index, ignored);
-    return cover + share * mirrorShare(disc, wavelength_um, cosine, cosine);
+    return cover + share * mirrorShare(disc, metalIndex(disc, band), cosine, cosine);
 }
 
 // ---- all wavelengths ------------------------------------------------------------------------------------------------
@@ -173,7 +210,7 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
         float cosIn = sqrt(max(1.0 - chord.center * chord.center - v.out_.y * v.out_.y, 0.0));
         float cosines = cosineInside(disc, 1.0 - cosIn * cosIn) + cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
         return 2.0 * chord.half_ * grooveDensity(disc, v.out_.x + chord.center, cosines) *
-               mirrorShare(disc, MIDDLE_WAVE * 1e6, cosIn, v.cosOut) * seen(spectrum, reflectance);
+               mirrorShare(disc, metalIndex(disc, MIDDLE_WAVE * 1e6), cosIn, v.cosOut) * seen(spectrum, reflectance);
     }
     for (float side = -1.0; side <= 1.0; side += 2.0) {
         float center = side * (v.out_.x + chord.center);   // order times wavelength / pitch, in the chord's middle
@@ -214,6 +251,80 @@ vec3 diffractedOrders(OpticalDisc disc, TrackView v, Chord chord, uint spectrum,
     return sum;
 }
 
+// ---- the sky --------------------------------------------------------------------------------------------------------
+// An even sky lights all orders of a wavelength at once, from the directions alpha = order wavelength / pitch - out_.x. Whichever
+// of them is looked from, the others are where its light goes, so at one wavelength they serve as that and as what shares are
+// normalised by. Chord by chord and piece by piece, as for lamps, the same takes twice as long.
+
+// The line through the sky in parts, each hidden or not.
+const uint SKY_PARTS = 8u;
+
+// With more orders than a pitch of 2.5 um has, and the directions of lines, that is no gain.
+bool seesSkyInBands(OpticalDisc disc) {
+    return HAS_ENVIRONMENT != 0u && HAS_DISC_LINES == 0u && decided(disc.isGiven) == 0u && decided(disc.isCoarse) == 0u &&
+           disc.pitch_um < 2.5;
+}
+
+vec3 skyDirection(TrackView v, vec3 normal, float rim, float alpha) {
+    return alpha * v.radial - v.out_.y * v.along + sqrt(max(rim * rim - alpha * alpha, 0.0)) * normal;
+}
+
+// How much of a stretch of directions across the track, which may reach from one part into the next, is open.
+float openShare(uint open, float rim, float low, float high) {
+    float perPart = 2.0 * rim / float(SKY_PARTS);
+    float first = clamp(floor((low + rim) / perPart), 0.0, float(SKY_PARTS) - 1.0);
+    float last = clamp(floor((high + rim) / perPart), 0.0, float(SKY_PARTS) - 1.0);
+    float beyond = clamp((high - (first + 1.0) * perPart + rim) / max(high - low, 1e-7), 0.0, 1.0);
+    return mix(float(open >> uint(first) & 1u), float(open >> uint(last) & 1u), beyond);
+}
+
+// Radiance that all orders but 0 send to the eye from a sky of radiance 1; `open`: a bit for each part of the line, which reaches
+// from -rim to rim. An order counts by the share of a band's width for which it has a direction.
+vec3 ordersOfSky(OpticalDisc disc, TrackView v, float rim, uint open, uint spectrum) {
+    uint colors = colorsOf(spectrum, 0u);
+    float rimSquared = rim * rim, betaSquared = v.out_.y * v.out_.y;
+    float insideOut = cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
+    float perBendSquared = 1.0 / (disc.bend * disc.bend);
+    OrderStrengths strengths = orderStrengths(disc);
+    vec3 sum = vec3(0.0);
+    [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
+        float wavelength_um = bandMiddle_um(k);
+        float perOrder = wavelength_um / disc.pitch_um;
+        float blur = 0.25 * (bandMiddle_um(k + 1u) - bandMiddle_um(max(k, 1u) - 1u)) / disc.pitch_um;
+        float halfTurns = disc.depth_um / wavelength_um;
+        vec2 metal = metalIndex(disc, k);
+        float scattered = HAS_SCATTERING != 0u ? disc.scattering * tables[disc.scatteringShares + k] : 0.0;
+        float ofBand = 0.0;
+        float last = ceil((v.out_.x + rim) / perOrder);
+        for (float order = floor((v.out_.x - rim) / perOrder); order <= last; order += 1.0) {
+            float middle = order * perOrder - v.out_.x, half_ = abs(order) * blur;
+            float low = max(middle - half_, -rim), high = min(middle + half_, rim);
+            if (order == 0.0 || low >= high) continue;
+            float alpha = 0.5 * (low + high);
+            float inside = sqrt(max(1.0 - (alpha * alpha + betaSquared) * perBendSquared, 0.0));
+            float contrast = contrastOf(2.0 * halfTurns * inside);
+            float all = 1.0 - contrast * disc.pits * (1.0 - disc.pits);
+            float most = (rim + abs(middle)) / perOrder + 1.0;
+            OrderStrengths s = strengths;
+            for (float m = 1.0; m <= most; m += 1.0) {
+                vec2 others = order + vec2(m, -m);
+                vec2 alphas = others * perOrder - v.out_.x;
+                vec2 covered = clamp((rim - abs(alphas)) / (2.0 * blur * abs(others) + 1e-6) + 0.5, 0.0, 1.0);
+                vec2 insides = sqrt(max(1.0 - (min(alphas * alphas, vec2(rimSquared)) + betaSquared) * perBendSquared, 0.0));
+                all += strengthOf(s, m) * (covered.x * contrastOf(halfTurns * (inside + insides.x)) +
+                                           covered.y * contrastOf(halfTurns * (inside + insides.y)));
+                advance(s);
+            }
+            float share = disc.pits * disc.pits * slitFactor(order * disc.pitWidth_um / disc.pitch_um) *
+                          contrastOf(halfTurns * (inside + insideOut));
+            ofBand += share * (1.0 - contrast * scattered) / all * (high - low) / (2.0 * half_) * openShare(open, rim, low, high) *
+                      mirrorShare(disc, metal, sqrt(max(rimSquared - alpha * alpha, 0.0)), v.cosOut);
+        }
+        sum += (inBand(k) * ofBand) * bandColor(colors, k);
+    }
+    return sum;
+}
+
 // Radiance of what the pits scatter, from one direction that brings an irradiance of 1.
 vec3 scatteredLight(OpticalDisc disc, TrackView v, vec3 normal, vec3 toLight, uint spectrum) {
     vec2 change = v.out_ + cosines(v, toLight);
@@ -226,15 +337,14 @@ vec3 scatteredLight(OpticalDisc disc, TrackView v, vec3 normal, vec3 toLight, ui
         float width = disc.pitWidth_um / wavelength_um, length_ = disc.correlation_um / wavelength_um;
         float along = 6.28318531 * length_ * change.y;
         float density = width * slitFactor(width * change.x) * 2.0 * length_ / (1.0 + along * along);
-        float share = disc.scattering * phaseContrast(disc, wavelength_um, inside) * mirrorShare(disc, wavelength_um, cosIn, v.cosOut);
+        float share = disc.scattering * phaseContrast(disc, wavelength_um, inside) *
+                      mirrorShare(disc, metalIndex(disc, k), cosIn, v.cosOut);
         sum += (inBand(k) * share * density) * bandColor(colors, k);
     }
     return sum;
 }
 
-// A disc sees the sky in so many parts of the chord, each hidden or not, and once more for what it scatters.
-const uint SKY_PARTS = 8u;
-
+// A disc sees the parts of the sky one by one, and it once more for what it scatters.
 uint partsOf(Light light) { return HAS_ENVIRONMENT != 0u && decided(light.kind) == ENVIRONMENT_LIGHT ? SKY_PARTS + 1u : 1u; }
 
 // Radiance towards the eye from one part of a light that nothing hides, but for its mirror image. `incident` is a sample of
@@ -252,8 +362,7 @@ vec3 discValue(OpticalDisc disc, TrackView v, vec3 normal, Light light, vec3 pos
         if (isScattered) {
             chord.radiance = 0.0;
         } else {
-            float alpha = chord.center + (2.0 * random - 1.0) * chord.half_;
-            incident.direction = alpha * v.radial - v.out_.y * v.along + sqrt(max(rim * rim - alpha * alpha, 0.0)) * normal;
+            incident.direction = skyDirection(v, normal, rim, chord.center + (2.0 * random - 1.0) * chord.half_);
         }
     }
     vec3 sum = vec3(0.0);

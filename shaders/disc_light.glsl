@@ -104,7 +104,7 @@ vec3 fromCastingDisc(CastingDisc caster, OpticalDisc disc, LampPoint lamp, vec3 
         vec3 color = vec3(0.0);
         [[dont_unroll]] for (uint k = 0u; k < BANDS; ++k) {
             vec2 out_ = vec2(dot(toQ, radial), dot(toQ, cross(n, radial)));
-            color += inBand(k) * undeviatedShare(disc, out_, cosine, bandMiddle_um(k), isOnTrack(disc, squared)) *
+            color += inBand(k) * undeviatedShare(disc, out_, cosine, k, isOnTrack(disc, squared)) *
                      bandColor(colors, k);
         }
         vec3 origin = caster.center + q + lift;

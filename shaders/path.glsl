@@ -168,6 +168,20 @@ void addCastLight(Surface surface, vec3 normal, Material material, Path path, in
     }
 }
 
+// What an optical disc's orders show of the sky.
+void addSkyOrders(uint i, OpticalDisc disc, Surface surface, vec3 normal, TrackView view, float travelled, inout Sample sample_) {
+    float random = 0.5;
+    if (HAS_SEVERAL_SAMPLES != 0u) random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i).x;
+    float rim = sqrt(max(1.0 - view.out_.y * view.out_.y, 0.0));
+    vec3 origin = leave(surface.position, normal, travelled);
+    uint open = 0u;
+    for (uint part = 0u; part < SKY_PARTS; ++part) {
+        float alpha = rim * (2.0 * (float(part) + random) / float(SKY_PARTS) - 1.0);
+        if (!occluded(origin, skyDirection(view, normal, rim, alpha), INFINITY)) open |= 1u << part;
+    }
+    sample_.radiance += lightAt(i).emission * ordersOfSky(disc, view, rim, open, lightAt(i).spectrum);
+}
+
 void addDirectLight(Surface surface, vec3 normal, float travelled, Material material, Path path, inout Sample sample_) {
     bool isTrack = OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC;
     if (LIGHT_COUNT > 0u) {
@@ -177,8 +191,12 @@ void addDirectLight(Surface surface, vec3 normal, float travelled, Material mate
             view = trackView(surface.local, normal, path.direction, toEye, scene.frame.pixelAngle * toEye + scene.frame.pixelWidth);
         }
         for (uint i = 0u; i < lightCount(); ++i) {
-            uint parts = isTrack ? partsOf(lightAt(i)) : 1u;
-            for (uint part = 0u; part < parts; ++part) {
+            uint parts = isTrack ? partsOf(lightAt(i)) : 1u, part = 0u;
+            if (OPTICAL_DISC_COUNT > 0u && parts > 1u && seesSkyInBands(opticalDiscAt(material.row))) {
+                addSkyOrders(i, opticalDiscAt(material.row), surface, normal, view, travelled, sample_);
+                part = SKY_PARTS;
+            }
+            for (; part < parts; ++part) {
                 add(fromLight(i, part, surface, normal, material, view, path, sample_), surface, normal, travelled, sample_);
             }
         }
@@ -286,7 +304,7 @@ void tracePath(Path path, inout Sample sample_) {
                     vec2 out_ = vec2(dot(path.direction, radial), dot(path.direction, cross(normal, radial)));
                     // Downwards, as the first may stand for all.
                     [[dont_unroll]] for (uint k = BANDS; k-- > 0u;) {
-                        throughput.band[k] = inBand(k) * undeviatedShare(disc, out_, abs(facing), bandMiddle_um(k),
+                        throughput.band[k] = inBand(k) * undeviatedShare(disc, out_, abs(facing), k,
                                                                          isOnTrack(disc, squared));
                     }
                     if (BANDS > 1u) throughput.bands = BANDS;

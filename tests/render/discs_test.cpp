@@ -134,8 +134,7 @@ TEST(OnDevice, DiscUnderFlatLightsAgreesWithTheReference) {
 }
 
 // Everything that a disc shows: hub, plain metal, data with what pits scatter, rim; under the open sky, seen
-// in a gold mirror. The sky's chords are integrated in pieces of the spectrum of 17 nm, in some of which an
-// order passes off.
+// in a gold mirror. The sky's light is summed over bands of 5 to 12 nm, in some of which an order passes off.
 TEST(OnDevice, DiscUnderTheSkyInAMirrorAgreesWithTheReference) {
     scene::Scene scene = discScene();
     scene.objects.push_back({"", scene::Rectangle{{0.0, 0.1, 0.5}, {0.3, 0.0, 0.0}, {0.0, 0.3, 0.05}}, 2});

@@ -98,6 +98,12 @@ AuxiliaryRests auxiliaryRests(double x) {
     return {x * sum.first, sum.second};
 }
 
+double inverseSquareTail(double x, Complex turn) {
+    if (x < 1e-9) return 1.0;
+    const AuxiliaryRests rests = auxiliaryRests(x);
+    return (rests.first * turn.real() - (1.0 - rests.second) * turn.imag()) / x;
+}
+
 double centralShare(double x) {
     const double sine = std::sin(pi * x);
     return x == 0.0 ? 0.0 : 2.0 / pi * (sineIntegral(2.0 * pi * x) - sine * sine / (pi * x));

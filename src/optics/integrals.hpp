@@ -26,6 +26,9 @@ struct AuxiliaryRests {
 };
 AuxiliaryRests auxiliaryRests(double x);
 
+// x times the integral of cos(t)/t^2 from x on: 1 at 0. `turn` = exp(ix).
+double inverseSquareTail(double x, std::complex<double> turn);
+
 // Integral of sinc^2 from -x to x: the share of a slit's light within `x` zeros of its middle.
 double centralShare(double x);
 

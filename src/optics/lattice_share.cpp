@@ -1,6 +1,7 @@
 // Lattices. Many cells send light into orders, whose sum is the share of an infinite lattice; what finite
 // numbers of cells change is c1/firstCount + c2/secondCount and less, and each c comes from a lattice that is
-// finite in one direction alone, a sum of line integrals.
+// finite in one direction alone, a sum of line integrals. Where cells are far apart, which makes many orders,
+// the share is that of one cell, and a little that neighbours change in it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,11 @@ namespace fringe::optics {
 namespace {
 
 using glm::dvec2;
+
+// From this number of orders among the propagating frequencies on, and this many wavelengths from a cell to
+// the next, neighbours change little enough for shareOfNeighbours().
+constexpr double kManyOrders = 2000.0;
+constexpr double kFarApart = 12.0;
 
 // The finite lattice that c1 or c2 is found from has at most this many cells.
 constexpr std::uint32_t kMostFinite = 8;
@@ -33,6 +39,14 @@ double extentOf(const Cell& cell) {
     for (const dvec2& vertex : std::get<PolygonalAperture>(cell).vertices)
         radius = std::max(radius, glm::length(vertex));
     return 2.0 * radius;
+}
+
+bool isSparse(const LatticeAperture& lattice, double determinant, double wavelength) {
+    const double nearest =
+        std::min({glm::length(lattice.first), glm::length(lattice.second),
+                  glm::length(lattice.first + lattice.second), glm::length(lattice.first - lattice.second)});
+    return std::numbers::pi * std::abs(determinant) > kManyOrders * wavelength * wavelength &&
+           nearest > kFarApart * wavelength;
 }
 
 // The orders of one direction of the lattice are lines in the plane of frequencies: order n along `spacing`
@@ -109,6 +123,10 @@ double shareOf(const LatticeAperture& lattice, const Incidence& in) {
     if (extent < kLargestExtent * in.wavelength) return shareByQuadrature(lattice, extent, in);
 
     const double determinant = lattice.first.x * lattice.second.y - lattice.first.y * lattice.second.x;
+    if (isSparse(lattice, determinant, in.wavelength)) {
+        const double own = std::visit([&](const auto& cell) { return shareOf(cell, in); }, lattice.cell);
+        return own + shareOfNeighbours(lattice, extentOf(lattice.cell), in);
+    }
     const dvec2 toFirst = dvec2(lattice.second.y, -lattice.second.x) / determinant;
     const dvec2 toSecond = dvec2(-lattice.first.y, lattice.first.x) / determinant;
     const double perArea = 1.0 / (areaOf(lattice.cell) * std::abs(determinant));

@@ -36,4 +36,8 @@ inline constexpr double kLargestExtent = 60.0;
 // aperture's largest diameter in metres.
 double shareByQuadrature(const Aperture& aperture, double extent, const Incidence& in);
 
+// What the other cells of a lattice add to the share of one, for cells and distances of many wavelengths;
+// `extent` is a cell's largest diameter in metres.
+double shareOfNeighbours(const LatticeAperture& lattice, double extent, const Incidence& in);
+
 }  // namespace fringe::optics

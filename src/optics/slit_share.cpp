@@ -21,9 +21,7 @@ constexpr std::uint32_t kMostSummed = 10'000;
 
 // g(S) - S + 1/pi^2 with g(S) = (2/pi) S [Si(2 pi S) - sin^2(pi S)/(pi S)], x = 2 pi S, `turn` = exp(ix).
 double antiderivativeRest(double x, Complex turn) {
-    if (x < 1e-9) return 1.0 / (pi * pi);
-    const AuxiliaryRests rests = auxiliaryRests(x);
-    return (rests.first * turn.real() - (1.0 - rests.second) * turn.imag()) / (pi * pi * x);
+    return inverseSquareTail(x, turn) / (pi * pi);
 }
 
 // At normal incidence. `width` and `period` in wavelengths.

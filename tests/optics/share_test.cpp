@@ -123,5 +123,21 @@ TEST(Share, OfLattices) {
                     byQuadrature(lattice, wavelength, 0.1, 0, 90), 1e-3);
 }
 
+// Large cells side by side or a little apart, round ones that touch, edges at an angle, and small ones far
+// apart. Neighbours change 1e-4 to 3e-3 here.
+TEST(Share, OfLatticesOfManyOrders) {
+    const auto expect = [](const Cell& cell, glm::dvec2 first, glm::dvec2 second) {
+        const LatticeAperture lattice{cell, first, second, 3, 2};
+        EXPECT_NEAR(propagatingShare(lattice, 550 * nm, 0.1, 0), byQuadrature(lattice, 550e-9, 0.1, 0, 90),
+                    2e-5);
+    };
+    expect(RectangularAperture{20 * um, 18 * um}, {2e-5, 0}, {1e-5, 1.8e-5});
+    expect(RectangularAperture{19.7 * um, 17.6 * um}, {2e-5, 0}, {0, 1.8e-5});
+    expect(PolygonalAperture{{{-9e-6, -1e-5}, {1e-5, -1e-5}, {8e-6, 1e-5}, {-9e-6, 1e-5}}}, {2e-5, 0},
+           {0, 2e-5});
+    expect(CircularAperture{19 * um, 6 * um}, {1.9e-5, 0}, {0.95e-5, 1.65e-5});
+    expect(CircularAperture{0.5 * um, 0 * um}, {1.65e-5, 0}, {0, 1.65e-5});
+}
+
 }  // namespace
 }  // namespace fringe::optics

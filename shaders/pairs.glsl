@@ -24,7 +24,7 @@ float pairPattern(SlitGrating g, float u, float curvature, float period, float w
     float perSlit = curvature * 1e-6 * g.period_um;        // change of u
     float chirp = perSlit * period;
     float drift = perSlit * width;                         // of a slit's own pattern from one to the next, in its units
-    // That pattern to the second order about the row's middle: the product of two slits' values, and its mean over pairs.
+    // That pattern to the second order about the row's middle: the product of two slits' values.
     vec3 slit = sincAndSlopes(width * u);
     float even = slit.x * slit.x;
     float squares = 0.25 * drift * drift;
@@ -41,19 +41,21 @@ float pairPattern(SlitGrating g, float u, float curvature, float period, float w
     for (float k = 1.0; k < g.count; k += 1.0) {
         if (k > furthest) break;
         float ofStep = k * turns * step_;
-        // The sum over the pairs' middles j of cos(2 pi j k chirp), and of j sin(2 pi j k chirp).
+        // The sum over the pairs' middles j of cos(2 pi j k chirp), of j sin(2 pi j k chirp) and of 4 j^2 cos(2 pi j k chirp).
         float pairs = g.count - k;
         float t = k * chirp - roundEven(k * chirp);
         bool isOdd = (int(roundEven(k * chirp)) * int(pairs - 1.0) & 1) != 0;
         float cosines = pairs * sincOf(pairs * t) / sincOf(t);
         float sines = 0.52359878 * pairs * (pairs * pairs - 1.0) * t;
+        float wides = cosines * (pairs * pairs - 1.0) / 3.0;
         if (abs(pairs * t) > 0.05) {
             vec2 sc = sinCosPi(t);
             sines = -0.5 * (pairs * sinCosPi(pairs * t).y - cosines * sc.y) / sc.x;
+            wides = cosines * (pairs * pairs - 1.0) - 4.0 * sines * sc.y / sc.x;
         }
-        float share = even + squares * (k * k * (bent - tilted) + (pairs * pairs - 1.0) / 3.0 * (tilted + bent));
+        float share = (even + squares * k * k * (bent - tilted)) * cosines + squares * wides * (tilted + bent);
         vec3 window = sincAndSlopes(k * period * blur);
-        float harmonic = (share * cosines * wave.x - leaning * sines * wave.y) * window.x +
+        float harmonic = (share * wave.x - leaning * sines * wave.y) * window.x +
                          cosines * (rising * window.y * wave.y - bending * window.z * wave.x);
         if (isOdd) harmonic = -harmonic;
         sum += 2.0 * harmonic / slitFactor(ofStep);

@@ -41,8 +41,12 @@ float phaseContrast(OpticalDisc disc, float wavelength_um, float cosines) {
     return contrastOf(disc.depth_um * cosines / wavelength_um);
 }
 
-// What orders 1, 2, ... carry at a contrast of 1, one after the other: (pit share/(pi m))^2 sin^2(pi m width/pitch), without a look-up,
-// which costs a processor as much as all else of an order. 1 - cos(m x) by the recurrence that keeps its digits at small x (C. Reinsch,
+// What an order, not 0, carries at a contrast of 1 (src/optics/track.hpp).
+float orderStrength(OpticalDisc disc, float order) {
+    return disc.pits * disc.pits * slitFactor(order * disc.pitWidth_um / disc.pitch_um);
+}
+
+// The same of orders 1, 2, ... one after the other: (pit share/(pi m))^2 sin^2(pi m width/pitch). 1 - cos(m x) by the recurrence that keeps its digits at small x (C. Reinsch,
 // in J. Stoer, R. Bulirsch, "Introduction to Numerical Analysis", 1.3).
 struct OrderStrengths {
     float scale;
@@ -140,7 +144,7 @@ float orderShare(OpticalDisc disc, TrackView v, float order, float wavelength_um
         share = grooveDensity(disc, order * wavelength_um / disc.pitch_um, cosines) * wavelength_um / disc.pitch_um;
     } else {
         float cosines = cosineInside(disc, 1.0 - cosSquared) + cosineInside(disc, 1.0 - v.cosOut * v.cosOut);
-        share = tables[disc.orders + uint(abs(order)) - 1u] * phaseContrast(disc, wavelength_um, cosines) *
+        share = orderStrength(disc, order) * phaseContrast(disc, wavelength_um, cosines) *
                 renormalisation(disc, wavelength_um, alpha, betaSquared,
                                 HAS_SCATTERING != 0u ? bandValue(disc.scatteringShares, wavelength_um) : 0.0);
     }
@@ -315,8 +319,7 @@ vec3 ordersOfSky(OpticalDisc disc, TrackView v, float rim, uint open, uint spect
                                            covered.y * contrastOf(halfTurns * (inside + insides.y)));
                 advance(s);
             }
-            float share = disc.pits * disc.pits * slitFactor(order * disc.pitWidth_um / disc.pitch_um) *
-                          contrastOf(halfTurns * (inside + insideOut));
+            float share = orderStrength(disc, order) * contrastOf(halfTurns * (inside + insideOut));
             ofBand += share * (1.0 - contrast * scattered) / all * (high - low) / (2.0 * half_) * openShare(open, rim, low, high) *
                       mirrorShare(disc, metal, sqrt(max(rimSquared - alpha * alpha, 0.0)), v.cosOut);
         }

@@ -169,7 +169,7 @@ struct OpticalDisc {
     float pitWidth_um;
     float correlation_um;   // length along the track over which scattered light agrees
     uint scatteringShares;  // in the tables: for each band, the part of the scattering that propagates
-    uint orders;         // in the tables: strengths of orders 1.., or given efficiencies [-orderCount..orderCount][band]
+    uint orders;         // in the tables: given efficiencies [-orderCount..orderCount][band]
     uint orderCount;
     uint isGiven;        // 1: efficiencies are given
     uint isCoarse;       // 1: so many orders that all power is among them

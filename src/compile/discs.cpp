@@ -66,8 +66,8 @@ device::OpticalDisc compileOpticalDisc(const scene::OpticalDisc& disc, SpectralT
     for (device::uint band = 0; band < device::SPECTRAL_BANDS; ++band)
         values.push_back(toFloat(optics::propagatingScattering(track, bandMiddle_nm(band) * nm)));
 
-    packed.orders = count(values.size());
     if (isGiven) {
+        packed.orders = count(values.size());
         int last = 0;
         for (const scene::OrderEfficiency& e : disc.efficiencies) last = std::max(last, std::abs(e.order));
         packed.orderCount = static_cast<device::uint>(std::min(last, static_cast<int>(furthest)));
@@ -78,8 +78,6 @@ device::OpticalDisc compileOpticalDisc(const scene::OpticalDisc& disc, SpectralT
         packed.isCoarse = 1U;
     } else {
         packed.orderCount = static_cast<device::uint>(furthest);
-        for (int order = 1; order <= static_cast<int>(packed.orderCount); ++order)
-            values.push_back(toFloat(optics::orderStrength(track, order)));
         packed.isCoarse = packed.orderCount > kManyOrders ? 1U : 0U;
     }
     return packed;

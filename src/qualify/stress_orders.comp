@@ -16,8 +16,7 @@ const uint HAS_POINT_LIGHTS = 1u, HAS_SPOT_LIGHTS = 1u, HAS_DIRECTIONAL_LIGHTS =
            HAS_DISC_LIGHTS = 1u, HAS_SPHERE_LIGHTS = 1u, HAS_ENVIRONMENT = 1u, HAS_GROOVES = 1u, HAS_SCATTERING = 0u,
            HAS_DISC_CONTINUUM = 1u, HAS_DISC_LINES = 1u, IS_ORTHOGRAPHIC = 0u;
 const float INFINITY = 1e30, MIDDLE_WAVE = 0.55e-6;
-const uint FIRST_STRENGTH = 7u;        // among the inputs
-float tables[8];
+float tables[1];
 vec3 tableColor(uint at) { return vec3(0.0); }
 uint decided(uint value) { return value; }
 
@@ -37,13 +36,12 @@ void main() {
     disc.pitch_um = given(1u);
     disc.depth_um = given(2u);
     disc.bend = disc.index = given(3u);
+    disc.pitWidth_um = given(7u);
     disc.pits = 0.25;                      // so that the undeviated light never vanishes
     disc.grooveSlope = 0.0;
     disc.isGiven = 0u;
     disc.isCoarse = VARIANT;
-    disc.orders = 0u;
     disc.orderCount = 6u;
-    for (uint i = 0u; i < 6u; ++i) tables[i] = given(FIRST_STRENGTH + i);
     TrackView view;
     view.out_ = given2(5u);
     view.cosOut = sqrt(max(1.0 - dot(view.out_, view.out_), 0.0));

@@ -17,7 +17,9 @@ using Inputs = std::span<const float>;
 
 constexpr int kOrders = 6;
 
-// Order, pitch, depth and index of the cover, wavelength in um, the eye's cosines, and the orders' strengths.
+constexpr double kPits = 0.25;  // of the area
+
+// Order, pitch, depth and index of the cover, wavelength in um, the eye's cosines, and the pits' width.
 void drawTrack(Draw& draw, std::span<float> inputs) {
     const double wavelength = draw.between(0.38, 0.78), pitch = draw.magnitude(0.1, 100.0);
     const double angle = draw.between(0.0, 2.0 * std::numbers::pi);
@@ -40,7 +42,7 @@ void drawTrack(Draw& draw, std::span<float> inputs) {
     inputs[4] = static_cast<float>(wavelength);
     inputs[5] = static_cast<float>(outX);
     inputs[6] = static_cast<float>(outY);
-    for (int i = 0; i < kOrders; ++i) inputs[7 + i] = static_cast<float>(draw.between(0.0, 0.1));
+    inputs[7] = static_cast<float>(pitch * draw.between(kPits, 0.95));
 }
 
 class Track {
@@ -50,6 +52,11 @@ public:
     // Cosines of the direction that comes with a change by `order` steps, across the track; the eye's is
     // order 0.
     double across(int order) const { return order * step_ - in_[5]; }
+    // What an order takes at a contrast of 1.
+    double strength(int order) const {
+        const double turns = order * (double{in_[7]} / in_[1]);
+        return std::pow(kPits * std::sin(std::numbers::pi * turns) / (std::numbers::pi * turns), 2);
+    }
     double sineSquared(double across) const { return across * across + double{in_[6]} * in_[6]; }
 
     // |exp(i phase) - 1|^2 for the way into a pit and back, under these directions outside.
@@ -79,16 +86,16 @@ Judgement judgeShare(Inputs in, Inputs results, bool isCoarse) {
     const double incoming = track.sineSquared(track.across(order)), outgoing = track.sineSquared(in[5]);
     if (isUndecided(incoming) || isUndecided(outgoing)) return compared(results[0], results[0]);
     if (incoming > 1.0) return compared(results[0], 0.0);
-    double share = in[6 + std::abs(order)] * track.contrast(incoming, outgoing);
+    double share = track.strength(order) * track.contrast(incoming, outgoing);
     if (!isCoarse) {
         // Shares of what propagates, of light that comes from there, add up to 1.
-        double sum = 1.0 - 0.1875 * track.contrast(incoming, incoming);
+        double sum = 1.0 - kPits * (1.0 - kPits) * track.contrast(incoming, incoming);
         for (int k = 1; k <= kOrders; ++k) {
             for (const int side : {-1, 1}) {
                 const double other =
                     track.sineSquared(track.across(order) + side * k * double{in[4]} / in[1]);
                 if (isUndecided(other)) return compared(results[0], results[0]);
-                if (other < 1.0) sum += in[6 + k] * track.contrast(incoming, other);
+                if (other < 1.0) sum += track.strength(k) * track.contrast(incoming, other);
             }
         }
         share /= sum;
@@ -108,13 +115,12 @@ Judgement judgeCoarse(Inputs inputs, Inputs results) {
 
 std::vector<StressCase> orderCases() {
     const std::span<const std::uint32_t> shader(stress_orders_comp);
-    const std::vector<std::string_view> track{"order", "pitch", "depth", "index", "wavelength",
-                                              "out_x", "out_y", "s1",    "s2",    "s3",
-                                              "s4",    "s5",    "s6"};
+    const std::vector<std::string_view> track{"order",      "pitch", "depth", "index",
+                                              "wavelength", "out_x", "out_y", "pit_width"};
     constexpr std::string_view kGrazing =
         "a cosine is the root of 1 less a sine's square, 2e-7 off: 1e-4 at the least that is told from 0, "
         "times what "
-        "Fresnel's equations make of it, and a strength of 0.4";
+        "Fresnel's equations make of it, and a share of 0.25";
     return {
         {"disc-order", "orderShare of a fine track, disc.glsl", 1e-3, kGrazing, shader, 0, track, 1,
          drawTrack, judgeFine, kFullCount},

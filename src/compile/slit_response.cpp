@@ -217,11 +217,24 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
         return sum * period_um / bin.wavelength_um;
     };
 
+    // Orders spread the spectrum as their number says: at u there are those from the first on. So of the many
+    // entries there only some are computed, in steps that are half of the first order's in wavelength.
+    const auto strideAt = [&](int entry) {
+        const double first = entry / perU * period_um / (1e-3 * optics::kLongestVisible_nm);
+        return zeroOrder ? 1 : std::max(1, static_cast<int>(0.5 * first));
+    };
+    std::vector<int> computed;
+    for (int entry = 0; entry < std::max(below, above); entry += strideAt(entry)) computed.push_back(entry);
+    computed.insert(computed.end(), {below, above});  // where either side ends
+    std::sort(computed.begin(), computed.end());
+    computed.erase(std::unique(computed.begin(), computed.end()), computed.end());
+
     const auto storeAll = [&](int entry, const Accumulator& sums) {
         for (std::size_t table = 0; table < rows.all(); ++table) store(table, entry, sums.sums()[table]);
     };
     // Each entry is one thread's own.
-    const auto writeEntry = [&](int entry) {
+    const auto writeEntry = [&](int number) {
+        const int entry = computed[static_cast<std::size_t>(number)];
         const double u = entry / perU;
         if (lit.orders.empty()) {
             Accumulator sums(rows);
@@ -238,7 +251,24 @@ SlitResponse makeResponse(const LitSlits& lit, const optics::Spectrum& spectrum,
             storeAll(side * entry, sums);
         }
     };
-    inParallel(std::max(below, above) + 1, writeEntry);
+    inParallel(static_cast<int>(computed.size()), writeEntry);
+
+    // The others lie on straight lines.
+    const auto writeBetween = [&](std::size_t table, int from, int to) {
+        if (std::min(from, to) < -below || std::max(from, to) > above) return;
+        const int side = from < to ? 1 : -1, count = std::abs(to - from);
+        const glm::vec3* first = &density[table * entries + static_cast<std::size_t>(below)];
+        const glm::vec3 start = first[from], end = first[to];
+        for (int i = 1; i < count; ++i)
+            store(table, from + side * i,
+                  glm::mix(start, end, static_cast<float>(i) / static_cast<float>(count)));
+    };
+    inParallel(static_cast<int>(rows.all()), [&](int table) {
+        for (std::size_t i = 1; i < computed.size(); ++i) {
+            writeBetween(static_cast<std::size_t>(table), computed[i - 1], computed[i]);
+            writeBetween(static_cast<std::size_t>(table), -computed[i - 1], -computed[i]);
+        }
+    });
 
     SlitResponse out{static_cast<device::uint>(below), perU, entries, 0.0, 0.0, {}};
     encode(density, out);

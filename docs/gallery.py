@@ -22,11 +22,11 @@ SECTIONS = {  # folder: title, largest width of a picture in pixels, introductio
         ["five-gratings", "one-slit", "few-slits", "lamps", "oblique", "reflection", "red-card-gold-mirror", "gaussian",
          "near-to-far"],
     ),
-    "apertures": ("Apertures", 240, "Openings of any shape, rows of them, and two in their near field.", ["wall", "near-to-far", "near-field"]),
+    "apertures": ("Apertures", 240, "Openings of any shape, rows of them, and some in their near field.", ["wall", "near-to-far", "shapes-near-to-far", "near-field"]),
     "discs": ("Discs", 320, "Optical discs and a record, lit by the lamps of the scene; how, is in [optical-discs.md](optical-discs.md).", ["cd-on-desk", "cd"]),
     "laboratory": ("Laboratory", 420, "Experiments, to be measured with [`fringe profile`](profile.md).", []),
 }
-WIDER = {"apertures-wall.png": 440, "apertures-gaussian.png": 800, "apertures-near-to-far.png": 800}  # than the others of their section
+WIDER = {"apertures-wall.png": 440, "apertures-gaussian.png": 800, "apertures-near-to-far.png": 800, "apertures-shapes-near-to-far.png": 800}  # than the others of their section
 
 
 def scenes(folder, first):

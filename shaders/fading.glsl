@@ -148,5 +148,5 @@ float fadedMask(OpeningGrating g, Fading fading, vec2 f_per_um, float wavenumber
     vec2 x = f_per_um * g.pixel_um;
     vec2 sides = sidePatterns(fading, MASK_OPENING, x, wavenumber);
     if (g.hasHats != 0u) sides *= sides;
-    return maskPattern(x, g.table, g.size_um, blurAt(fading.blur, wavenumber, g.extent, g.size_um)) * sides.x * sides.y;
+    return maskPattern(x, g.table, g.size_um, blurAt(fading.blur, wavenumber, g.extent, g.size_um), false) * sides.x * sides.y;
 }

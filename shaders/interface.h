@@ -314,7 +314,27 @@ struct OpeningGrating {
     float sourceBlur;    // direction cosine between neighbouring points of the source, or its size if it is one; 0 for no size
     uint samples;        // in the tables: wavenumber in 1/um and the source's direction; then, for each reflectance, XYZ
     uint sampleCount;
+    uint hasLayers;      // 1: a surface that it lights lies in its near field, which is looked up
+    uint layers;         // in the tables: what LayerRow says, then patterns for a row of Fresnel numbers
 };
+
+// Of layers, as floats.
+struct LayerRow {
+    float count;
+    float entries;       // of each
+    float points;        // of a table along either axis
+    float across;        // pixels of the opening, at which tables repeat themselves
+    float pixel_um;
+    float half_um;       // for Fresnel numbers
+    float first;         // the first of these
+    float ratio;         // log2 from one to the next, LAYER_OFFSET added to either
+    float upright;       // of masks: lengths of edges with the squares of their steps over |A(0)|^2, 1/um^3; of those along y
+    float level;         // along x
+    float slanting;      // the others
+};
+const uint LAYER_ROW_SIZE = 11u;
+const float LAYER_OFFSET = 2.5f;
+const float LAYER_STRETCH = 3.0f;    // as kNearStretch (src/optics/near_spectrum.hpp)
 
 // An entry of that list. Where a scene has but one opening and grey surfaces, and the list is no longer than
 // FEW_SAMPLES, it is in the uniform block, and the loop over it unrolled.

@@ -50,13 +50,15 @@ vec4 splineSlopes(float t) {
 }
 vec4 splineBends(float t) { return vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t); }
 
-// One level, of which half of the plane is there (the other half is its mirror image): entry (i, j) is at
-// first + (j + 1) (columns / 2 + 4) + i + 1, from one before the first to two past the last. A mean over what has the
-// second `moments`.
-float maskLevel(vec2 frequency, vec3 moments, uint first, vec2 tableSize) {
+uint maskStride(float columns, bool isWhole) { return uint(columns) / (isWhole ? 1u : 2u) + (isWhole ? 3u : 4u); }
+
+// One level, of which half of the plane is there (the other half is its mirror image) unless it `isWhole`: entry (i, j) is
+// at first + (j + 1) maskStride() + i + 1, from one before the first to two past the last. A mean over what has the second
+// `moments`.
+float maskLevel(vec2 frequency, vec3 moments, uint first, vec2 tableSize, bool isWhole) {
     vec2 place = vec2(frequency.x, -frequency.y);          // rows run down, y up
     place = (place - roundEven(place)) * tableSize;
-    if (place.x < 0.0) place = -place;
+    if (place.x < 0.0) place = isWhole ? place + vec2(tableSize.x, 0.0) : -place;
     if (place.y < 0.0) place.y += tableSize.y;
     vec2 whole = floor(place);
     vec2 rest = place - whole;
@@ -64,7 +66,7 @@ float maskLevel(vec2 frequency, vec3 moments, uint first, vec2 tableSize) {
     vec3 bends = moments * vec3(0.5, -1.0, 0.5) * vec3(tableSize.x, tableSize.x, tableSize.y) * vec3(tableSize, tableSize.y);
     vec4 acrossBent = across + bends.x * splineBends(rest.x), tilted = bends.y * splineSlopes(rest.x);
     vec4 downTilted = splineSlopes(rest.y), downBent = bends.z * splineBends(rest.y);
-    uint stride = uint(tableSize.x) / 2u + 4u;
+    uint stride = maskStride(tableSize.x, isWhole);
     uint at = first + uint(whole.y) * stride + uint(whole.x);
     float sum = 0.0;
     for (uint j = 0u; j < 4u; ++j) {
@@ -76,7 +78,7 @@ float maskLevel(vec2 frequency, vec3 moments, uint first, vec2 tableSize) {
 }
 
 // `frequency`: in turns from a pixel to the next. Without what the pixels themselves make of it.
-float maskPattern(vec2 frequency, uint first, vec2 tableSize, MaskBlur blur) {
+float maskPattern(vec2 frequency, uint first, vec2 tableSize, MaskBlur blur, bool isWhole) {
     float largest = max(tableSize.x, tableSize.y);
     float levels = blur.next > 0.0 ? blur.level + 2.0 : blur.level + 1.0;
     float sum = 0.0;
@@ -87,11 +89,11 @@ float maskPattern(vec2 frequency, uint first, vec2 tableSize, MaskBlur blur) {
         for (float i = 0.5; i < taps.x; i += 1.0) {
             for (float j = 0.5; j < taps.y; j += 1.0) {
                 for (float k = 0.5; k < taps.z; k += 1.0)
-                    mean += maskLevel(frequency + blur.sides * (vec3(i, j, k) / taps - 0.5), blur.moments, first, tableSize);
+                    mean += maskLevel(frequency + blur.sides * (vec3(i, j, k) / taps - 0.5), blur.moments, first, tableSize, isWhole);
             }
         }
         sum += weight / (blur.taps.x * blur.taps.y * blur.taps.z) * mean;
-        first += (uint(tableSize.x) / 2u + 4u) * (uint(tableSize.y) + 3u);
+        first += maskStride(tableSize.x, isWhole) * (uint(tableSize.y) + 3u);
         largest *= 0.5;
         tableSize = min(tableSize, vec2(largest));
     }

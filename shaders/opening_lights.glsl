@@ -20,6 +20,7 @@ struct OpeningView {
 
 #include "fading.glsl"
 #include "near_openings.glsl"
+#include "near_layers.glsl"
 #include "beam_spots.glsl"
 #include "uneven_lattices.glsl"
 
@@ -217,7 +218,15 @@ vec3 evenPolygonSum(OpeningGrating g, Outline outline, Fading fading, vec2 uv) {
 vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView v, uint reflectance) {
     Outline outline;
     if (opening == POLYGONAL_OPENING || opening == SYMMETRIC_OPENING) outline = outlineOf(g);
+    LayersView layers;
+    bool hasLayers = HAS_NEAR_LAYERS != 0u && decided(g.hasLayers) != 0u;
+    if (HAS_NEAR_LAYERS != 0u) {
+        layers = layersView(g, v);
+        if (hasLayers) v = besideImage(v, layers);
+    }
     Fading fading = fadingOf(g, opening, v);
+    if (HAS_NEAR_LAYERS != 0u && hasLayers && opening == MASK_OPENING)
+        fading.blur = CellBlur(mat3x2(0.0), roundBlur(fading.blur));
     findMeans(g, opening, v, fading);
     BeamSpot spot;
     if (opening == GAUSSIAN_OPENING) spot = beamSpotOf(g, v);
@@ -250,6 +259,17 @@ vec3 sumOverWavenumbers(OpeningGrating g, uint opening, uint count, OpeningView 
             isNear = nearPattern(g, opening, near, fading, v.uv - shift, wavenumber, pattern);
         }
         vec2 uv = cellDirection(g, lattice, v.uv, shift, wavenumber);
+        if (HAS_NEAR_LAYERS != 0u && hasLayers) {
+            float beyond;
+            pattern = layersPattern(g, layers, v.uv - shift, wavenumber, beyond);
+            // A loop of no turns is left out where an `if` would not be (path.glsl).
+            float edges = opening == MASK_OPENING ? edgesShare(layers, g.pixel_um, wavenumber) : 0.0;
+            for (float i = 0.0; i < ceil(beyond * (1.0 - edges)); i += 1.0)
+                pattern += beyond * (1.0 - edges) * openingPattern(g, opening, outline, fading, spot, v, uv, wavenumber);
+            if (opening == MASK_OPENING && beyond * edges > 0.0)
+                pattern += beyond * edges * edgesPattern(layers, uv * wavenumber, wavenumber);
+            isNear = true;
+        }
         if (!isNear) pattern = openingPattern(g, opening, outline, fading, spot, v, uv, wavenumber);
         if (isLattice) pattern *= latticeFactor(g, lattice, shift, wavenumber);
         sum += pattern * throughputAt(1.0 / wavenumber) * tableColor(colors + 3u * i);

@@ -125,6 +125,7 @@ Arrival fromGrating(uint i, Surface surface, vec3 normal, float travelled, Mater
         arrival.value = brdf * openingGratingValue(grating, offset, normal, path.direction, pixel, material.row);
         from = grating.position;
         if (HAS_NEAR_OPENINGS != 0u && decided(grating.isNear) != 0u) from += nearFoot(grating, offset);
+        if (HAS_NEAR_LAYERS != 0u && decided(grating.hasLayers) != 0u) from += layersFoot(grating, offset);
     } else if (SLIT_GRATING_COUNT > 0u && i >= gratingCount()) {
         SlitGrating grating = slitGratingAt(i - gratingCount());
         vec3 offset = surface.position - grating.position;

@@ -76,4 +76,5 @@
     X(69, HAS_SHADOWS)              \
     X(70, EVEN_SAMPLES)           \
     X(71, HAS_UNEVEN_LATTICES)     \
-    X(72, HAS_GAUSSIAN_OPENINGS)
+    X(72, HAS_GAUSSIAN_OPENINGS) \
+    X(73, HAS_NEAR_LAYERS)

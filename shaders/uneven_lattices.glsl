@@ -46,7 +46,7 @@ float unevenFactor(OpeningGrating g, UnevenLattice lattice, vec2 past, float wav
     float far = 0.0, image = 0.0;
     // Loops of no turns are left out where an `if` would not be (path.glsl).
     for (uint i = 0u; i < (lattice.isImage < 1.0 ? 1u : 0u); ++i)
-        far = maskPattern(past, g.cells, g.cellsSize, blurAt(lattice.blur, wavenumber, length(g.counts), g.cellsSize));
+        far = maskPattern(past, g.cells, g.cellsSize, blurAt(lattice.blur, wavenumber, length(g.counts), g.cellsSize), false);
     for (uint i = 0u; i < (lattice.isImage > 0.0 ? 1u : 0u); ++i)
         image = orderImage(g, lattice, past * lattice.perTurn / wavenumber, wavenumber);
     return mix(far, image, lattice.isImage);

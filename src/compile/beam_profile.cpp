@@ -25,9 +25,8 @@ std::optional<UnevenBeam> profileAcross(const scene::Grating& grating, double fr
     if (!(fallToRim(grating) > kEven)) return {};
     if (const auto* lattice = std::get_if<optics::LatticeAperture>(&grating.aperture))
         return litCells(*lattice, width) ? std::optional(UnevenBeam{width, false}) : std::nullopt;
-    const bool isNear = fresnelNumber > kFarFieldNumber;
-    const bool isWhole = optics::clearance(grating.aperture) >= 0.5 * width * (isNear ? kFreeNear : kFree);
-    if (isNear && hasNearField(grating.aperture) && !isWhole) return {};
+    const double free = fresnelNumber > kFarFieldNumber ? kFreeNear : kFree;
+    const bool isWhole = optics::clearance(grating.aperture) >= 0.5 * width * free;
     return UnevenBeam{width, isWhole};
 }
 

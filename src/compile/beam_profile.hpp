@@ -17,8 +17,8 @@ struct UnevenBeam {
 };
 
 // Of a beam whose profile goes into what is shown; nothing where the opening is lit evenly: because it is so
-// to 1e-3 of the pattern's peak, in the near field of openings of which that is shown, and in lattices of too
-// many cells (litCells()). `fresnelNumber`: at the nearest surface that it lights.
+// to 1e-3 of the pattern's peak, and in lattices of too many cells (litCells()). `fresnelNumber`: at the
+// nearest surface that it lights.
 std::optional<UnevenBeam> profileAcross(const scene::Grating& grating, double fresnelNumber);
 
 }  // namespace fringe::compile

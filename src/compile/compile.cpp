@@ -78,6 +78,7 @@ void addColors(const SpectralTables& tables, CompiledScene& out) {
         grating.table += shift;
         grating.cells += shift;
         grating.samples += shift;
+        grating.layers += shift;
     }
     for (device::OpticalDisc& disc : out.opticalDiscs) {
         disc.orders += shift;
@@ -108,7 +109,8 @@ void findEvenSamples(double step, CompiledScene& out) {
 void takeSamplesAtHand(CompiledScene& out) {
     if (out.openingGratings.size() != 1 || out.frame.reflectanceCount != 1) return;
     const device::OpeningGrating& grating = out.openingGratings.front();
-    if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F || grating.isNear != 0) return;
+    if (grating.sampleCount > device::FEW_SAMPLES || grating.sourceBlur > 0.0F) return;
+    if (grating.isNear != 0 || grating.hasLayers != 0) return;
     for (device::uint i = 0; i < grating.sampleCount; ++i) {
         const float* color = &out.tables[grating.samples + 3 * grating.sampleCount + 3 * i];
         out.openingSamples.push_back({out.tables[grating.samples + 3 * i], {color[0], color[1], color[2]}});

@@ -29,7 +29,8 @@ static_assert(sizeof(TreeNode) == 64);
 static_assert(sizeof(Material) == 44 && sizeof(Light) == 84);
 static_assert(sizeof(ThesisAperture) == 16 && sizeof(ThesisGrating) == 84 && sizeof(SlitGrating) == 160 &&
               sizeof(ResponseEntry) == 16);
-static_assert(sizeof(OpeningGrating) == 200 && sizeof(OpeningSample) == 16);
+static_assert(sizeof(OpeningGrating) == 208 && sizeof(OpeningSample) == 16);
+static_assert(sizeof(LayerRow) == LAYER_ROW_SIZE * sizeof(float));
 static_assert(sizeof(OpticalDisc) == 76);
 // What every device can bind (the least that Vulkan allows for maxUniformBufferRange).
 static_assert(sizeof(SceneBlock) <= 16384);

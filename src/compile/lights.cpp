@@ -1,12 +1,15 @@
 #include "compile/lights.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
+#include <optional>
 
 #include "compile/gratings.hpp"
 #include "compile/materials.hpp"
-#include "compile/near_field.hpp"
+#include "compile/near_layers.hpp"
 #include "compile/number.hpp"
 #include "compile/openings.hpp"
 
@@ -76,6 +79,8 @@ struct LightCompiler {
     SpectralTables& tables;
     CompiledScene& out;
     std::vector<KnownSlits>& known;
+    const NearestField& nearest;  // of an opening
+    std::size_t mostLayers;
 
     void operator()(const scene::PointLight& l) const {
         device::Light packed{};
@@ -139,7 +144,7 @@ struct LightCompiler {
                                                     out.tables, out.responses, known));
         } else {
             out.openingGratings.push_back(compileOpening(l, light.spectrum, tables, scene.image.tolerance,
-                                                         nearestField(scene, l).fresnelNumber, out.tables));
+                                                         nearest, mostLayers, out.tables));
         }
     }
 
@@ -174,8 +179,25 @@ void addGlowingObjects(const scene::Scene& scene, SpectralTables& tables, Compil
 
 void addLights(const scene::Scene& scene, SpectralTables& tables, CompiledScene& out) {
     std::vector<KnownSlits> known;
-    for (const scene::Light& light : scene.lights)
-        std::visit(LightCompiler{scene, light, tables, out, known}, light.model);
+    std::vector<NearestField> nearest(scene.lights.size());
+    std::vector<std::size_t> entries(scene.lights.size(), 0);  // of near fields' tables
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const scene::Light& light = scene.lights[i];
+        const auto* grating = std::get_if<scene::Grating>(&light.model);
+        if (grating == nullptr || std::holds_alternative<optics::Slits>(grating->aperture)) continue;
+        nearest[i] = nearestField(scene, *grating);
+        const std::optional<UnevenBeam> profile = profileAcross(*grating, nearest[i].fresnelNumber);
+        if (hasNearLayers(grating->aperture, profile, nearest[i].fresnelNumber))
+            entries[i] = layerEntries(*grating, profile, nearest[i], light.spectrum);
+    }
+    const auto all = std::accumulate(entries.begin(), entries.end(), std::size_t{0});
+    const double granted =
+        std::min(double{kMostLayerEntries} / static_cast<double>(std::max(all, std::size_t{1})), 1.0);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const scene::Light& light = scene.lights[i];
+        const auto mostLayers = static_cast<std::size_t>(granted * static_cast<double>(entries[i]));
+        std::visit(LightCompiler{scene, light, tables, out, known, nearest[i], mostLayers}, light.model);
+    }
 }
 
 }  // namespace fringe::compile

@@ -67,6 +67,9 @@ public:
         return along;
     }
 
+    // From the opening's middle, of what is so far along the beam.
+    double farthest(double along) const { return std::hypot(along, half_ + spread_ * along); }
+
 private:
     const scene::Grating& grating_;
     double half_;
@@ -105,16 +108,25 @@ NearestField nearestField(const scene::Scene& scene, const scene::Grating& given
     const double half = 0.5 * openingExtent(grating.aperture);
     const double convergence = grating.beam.focus ? 1.0 / (*grating.beam.focus / units::m) : 0.0;
     const Tube tube(grating, half);
-    NearestField nearest{0.0, 0.0};
+    const auto numberAt = [&](double distance) {
+        return half * half * (1.0 / distance - convergence) / kFresnelWavelength;
+    };
+    NearestField nearest{0.0, 0.0, std::numeric_limits<double>::infinity()};
     for (const scene::Object& object : scene.objects) {
         if (!std::holds_alternative<scene::Diffuse>(scene.materials[object.material].model)) continue;
         const Interval along = tube.meets(object.shape);
         if (along.low > along.high) continue;
         for (const double distance : {along.low, along.high}) {
-            const double number = half * half * std::abs(1.0 / distance - convergence) / kFresnelWavelength;
-            if (number > nearest.fresnelNumber) nearest = {distance, number};
+            if (const double number = std::abs(numberAt(distance)); number > nearest.fresnelNumber) {
+                nearest.fresnelNumber = number;
+                nearest.distance = distance;
+            }
         }
+        const double first = numberAt(along.low), last = numberAt(tube.farthest(along.high));
+        const double least = first * last < 0.0 ? 0.0 : std::min(std::abs(first), std::abs(last));
+        nearest.leastNumber = std::min(nearest.leastNumber, least);
     }
+    nearest.leastNumber = std::min(nearest.leastNumber, nearest.fresnelNumber);
     return nearest;
 }
 

@@ -26,6 +26,7 @@ inline constexpr double kFarFieldNumber = 0.1;
 struct NearestField {
     double distance;       // metres from the opening along the beam; 0 where it lights nothing
     double fresnelNumber;  // (half its extent)^2 |1/distance - 1/focus| / wavelength
+    double leastNumber;    // the same where it is nearest to it
 };
 
 // Over all matt surfaces that the main part of the light falls on. What only its far side lobes reach is not

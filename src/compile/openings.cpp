@@ -12,6 +12,7 @@
 #include "compile/beam_profile.hpp"
 #include "compile/gratings.hpp"
 #include "compile/near_field.hpp"
+#include "compile/near_layers.hpp"
 #include "compile/number.hpp"
 #include "compile/opening_tables.hpp"
 #include "compile/uneven_lattice.hpp"
@@ -114,6 +115,27 @@ CellSums packCells(const optics::LatticeAperture& lattice, double beamWidth, con
     }
     packed.imagePeak = toFloat(std::pow(whole / cells.sum, 2));
     return cells;
+}
+
+// `mask`: null where the opening's far field is not looked up.
+void packLayers(const NearLayers& layers, const MaskTables* mask, device::OpeningGrating& packed,
+                std::vector<float>& values) {
+    packed.hasLayers = 1;
+    packed.layers = count(values.size());
+    device::LayerRow row = layers.row;
+    if (mask != nullptr) {
+        constexpr double kAlong = 0.9999;
+        for (const optics::Edge& edge : mask->spectrum.edges()) {
+            float& sum = std::abs(edge.normal.x) > kAlong   ? row.upright
+                         : std::abs(edge.normal.y) > kAlong ? row.level
+                                                            : row.slanting;
+            sum += toFloat(1e-18 * edge.weight / mask->spectrum.peak());
+        }
+    }
+    for (const float value : {row.count, row.entries, row.points, row.across, row.pixel_um, row.half_um,
+                              row.first, row.ratio, row.upright, row.level, row.slanting})
+        values.push_back(value);
+    values.insert(values.end(), layers.values.begin(), layers.values.end());
 }
 
 // From which on it is taken, at 550 nm: the far field is off by 3e-4 of its peak there at 380 nm.
@@ -239,7 +261,8 @@ void appendSamples(const std::vector<Wave>& waves, const std::vector<SourcePoint
 }  // namespace
 
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
-                                      const SpectralTables& tables, double tolerance, double fresnelNumber,
+                                      const SpectralTables& tables, double tolerance,
+                                      const NearestField& nearest, std::size_t mostLayers,
                                       std::vector<float>& values) {
     const scene::Beam& beam = grating.beam;
     const dvec2 incoming = incomingCosines(grating);
@@ -254,6 +277,7 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
 
     // The opening, and what its pattern needs.
     const optics::Aperture& aperture = grating.aperture;
+    const double fresnelNumber = nearest.fresnelNumber;
     const std::optional<UnevenBeam> profile = profileAcross(grating, fresnelNumber);
     const OpeningTables shape = openingTables(aperture, profile, incoming, tables.memo());
     const double cellExtent = openingExtent(aperture);
@@ -293,6 +317,14 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
                         ? 1U
                         : 0U;
 
+    double turns = packed.isNear != 0 ? fresnelNumber : 0.0;
+    if (hasNearLayers(aperture, profile, fresnelNumber)) {
+        constexpr double kMostFollowed = 12.0;  // layers are means over steps of the wavelength beyond
+        turns = std::min(fresnelNumber, kMostFollowed);
+        const auto layers = nearLayers(grating, profile, nearest, spectrum, mostLayers, tables.memo());
+        packLayers(*layers, shape.mask.get(), packed, values);
+    }
+
     if (!spectrum.density.empty()) shape.shares->findAll();
     const SpectrumPacker packer{beam.power / W * leavingShare(grating) * peak / area, *shape.shares, tables};
 
@@ -305,15 +337,14 @@ device::OpeningGrating compileOpening(const scene::Grating& grating, const optic
     const double resolved =
         fringes <= kFewestFringes ? fringes : std::min(size * cellExtent / shortest, kFewestFringes);
     // Gauss's rule, to 1e-4. In a near field the device averages over the source.
-    const int pointsAcross = packed.isNear != 0 ? 1 : 2 + static_cast<int>(std::ceil(2.5 * resolved));
+    const int pointsAcross = turns > 0.0 ? 1 : 2 + static_cast<int>(std::ceil(2.5 * resolved));
     packed.sourceBlur = toFloat(size / pointsAcross);
     const std::vector<SourcePoint> points = sourcePoints(size, pointsAcross);
 
     std::vector<Wave> waves;
     if (!spectrum.density.empty()) {
         const std::vector<double> wavenumbers = evenWavenumbers(
-            waveCount(wholeExtent(aperture) / cellExtent, packed.isNear != 0 ? fresnelNumber : 0.0,
-                      tables.bands() > 1, tolerance));
+            waveCount(wholeExtent(aperture) / cellExtent, turns, tables.bands() > 1, tolerance));
         packed.wavenumberStep = toFloat(wavenumbers[1] - wavenumbers[0]);
         waves = packer.continuum(spectrum.density, wavenumbers);
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compile/interface.hpp"
+#include "compile/near_field.hpp"
 #include "compile/spectral.hpp"
 #include "scene/scene.hpp"
 
@@ -12,9 +13,11 @@ namespace fringe::compile {
 // Appends to `values` what the device reads beside the record: its spectrum as a list of wavenumbers and
 // colours, which hold all of  power response(l) |A(0)|^2 / (l^2 area share(l))  so that the device multiplies
 // by the relative pattern and by geometry alone; a polygon's vertices; a mask's spectrum. `tables` must know
-// all reflectances. `fresnelNumber`: the largest (near_field.hpp). Precondition: the aperture is no slits.
+// all reflectances. `mostLayers`: entries of its near field's tables (near_layers.hpp). Precondition: the
+// aperture is no slits.
 device::OpeningGrating compileOpening(const scene::Grating& grating, const optics::Spectrum& spectrum,
-                                      const SpectralTables& tables, double tolerance, double fresnelNumber,
+                                      const SpectralTables& tables, double tolerance,
+                                      const NearestField& nearest, std::size_t mostLayers,
                                       std::vector<float>& values);
 
 }  // namespace fringe::compile

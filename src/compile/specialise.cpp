@@ -136,6 +136,7 @@ device::Specialisation specialise(const CompiledScene& compiled, const scene::Ca
         .EVEN_SAMPLES = compiled.evenOpeningSamples,
         .HAS_UNEVEN_LATTICES = anyOpening([](const device::OpeningGrating& g) { return g.isUneven != 0; }),
         .HAS_GAUSSIAN_OPENINGS = anyOpeningOf(device::GAUSSIAN_OPENING),
+        .HAS_NEAR_LAYERS = anyOpening([](const device::OpeningGrating& g) { return g.hasLayers != 0; }),
     };
 }
 

@@ -1,14 +1,15 @@
 #include "optics/amplitude_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "optics/coverage.hpp"
+#include "optics/integrals.hpp"
 #include "optics/transform.hpp"
 
 namespace fringe::optics {
@@ -97,22 +98,19 @@ Edge edgeIn(const Gaussian& gaussian, dvec2 from, dvec2 to) {
 
 constexpr std::uint32_t kParts = 4;  // of a pixel, along either side
 
-// Hats from the means over parts of pixels, each from fourteen by fourteen. Their sum is the amplitude, as
-// hats blur it and means do; the weights make up for both, to the fourth order in the frequency, and leave
-// nothing of the frequencies around once and twice per pixel, which would come back as an alias. (Six
-// weights, half a pixel apart, with the sum 1, that second moment and a zero of second order; spread by
-// 1, 3, 3, 1.)
-std::vector<float> hatsOf(const std::vector<double>& means, std::uint32_t columns, std::uint32_t rows) {
-    constexpr std::array<double, 14> kWeights{-13, -39, -36, -4, 83,  225, 296,
-                                              296, 225, 83,  -4, -36, -39, -13};
+// Values in the middles of pixels, from the means over their parts: each a sum with `weights`, an even number
+// of them, about the middle.
+std::vector<float> reduced(const std::vector<double>& means, std::span<const double> weights,
+                           std::uint32_t columns, std::uint32_t rows) {
+    const std::int64_t before = static_cast<std::int64_t>(weights.size() - kParts) / 2;
     // Those of a line whose entries lie `stride` apart, about the middle of pixel `pixel`.
     const auto weighted = [&](const double* line, std::int64_t pixels, std::size_t stride,
                               std::int64_t pixel) {
         double sum = 0.0;
-        for (std::size_t i = 0; i < kWeights.size(); ++i) {
-            const std::int64_t at = kParts * pixel - 5 + static_cast<std::int64_t>(i);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const std::int64_t at = kParts * pixel - before + static_cast<std::int64_t>(i);
             if (at >= 0 && at < kParts * pixels)
-                sum += kWeights[i] / 1024.0 * line[static_cast<std::size_t>(at) * stride];
+                sum += weights[i] * line[static_cast<std::size_t>(at) * stride];
         }
         return sum;
     };
@@ -130,7 +128,63 @@ std::vector<float> hatsOf(const std::vector<double>& means, std::uint32_t column
     return values;
 }
 
-AmplitudeGrid litMask(MaskAperture mask, double beamRadius) {
+// For hats. Their sum is the amplitude, as hats blur it and means do; the weights make up for both, to the
+// fourth order in the frequency, and leave nothing of the frequencies around once and twice per pixel, which
+// would come back as an alias. (Six weights, half a pixel apart, with the sum 1, that second moment and a
+// zero of second order; spread by 1, 3, 3, 1.)
+std::vector<double> hatWeights() {
+    std::vector<double> weights{-13, -39, -36, -4, 83, 225, 296, 296, 225, 83, -4, -36, -39, -13};
+    for (double& weight : weights) weight /= 1024.0;
+    return weights;
+}
+
+// For samples: a sinc in a Gaussian window stops what turns more than half a time per pixel.
+std::vector<double> sampleWeights() {
+    constexpr int kHalf = 32;
+    constexpr double kWindow = 9.0;  // parts
+    std::vector<double> weights;
+    double sum = 0.0;
+    for (int i = -kHalf; i < kHalf; ++i) {
+        const double place = i + 0.5;
+        weights.push_back(sinc(place / kParts) * std::exp(-0.5 * std::pow(place / kWindow, 2)));
+        sum += weights.back();
+    }
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+// Means over a part of a pixel, of the amplitude and of its square.
+struct Lit {
+    double mean;
+    double square;
+};
+
+// Of `parts` x `parts` parts of the size `part`, the first of them in the upper left `corner`.
+std::vector<Lit> litParts(std::vector<Outline> outlines, const std::optional<Gaussian>& gaussian,
+                          dvec2 corner, dvec2 part, std::uint32_t parts) {
+    const dvec2 step(part.x, -part.y);
+    for (Outline& outline : outlines)
+        for (dvec2& vertex : outline) vertex = (vertex - corner) / step;
+    std::vector<Lit> lit;
+    const std::vector<Covered> covered = coverage(outlines, parts, parts);
+    lit.reserve(covered.size());
+    for (std::uint32_t row = 0; row < parts; ++row) {
+        for (std::uint32_t column = 0; column < parts; ++column) {
+            const auto& [share, centroid] = covered[lit.size()];
+            if (share == 0.0 || !gaussian) {
+                lit.push_back({share, share});
+                continue;
+            }
+            const dvec2 place = corner + step * (dvec2(column, row) + 0.5 + centroid);
+            const double amplitude = gaussian->at(place);
+            lit.push_back({share * amplitude * gaussian->mean(place, part, 1.0),
+                           share * amplitude * amplitude * gaussian->mean(place, part, 2.0)});
+        }
+    }
+    return lit;
+}
+
+MaskAperture inGaussian(MaskAperture mask, double beamRadius) {
     const dvec2 middle = 0.5 * dvec2(mask.columns - 1.0, mask.rows - 1.0);
     Gaussian gaussian{beamRadius, std::numeric_limits<double>::infinity()};
     const auto place = [&](std::uint32_t column, std::uint32_t row) {
@@ -145,7 +199,66 @@ AmplitudeGrid litMask(MaskAperture mask, double beamRadius) {
         if (transmission > 0.0F) gaussian.nearest = std::min(gaussian.nearest, glm::dot(at, at));
     });
     forPixels([&](float& transmission, dvec2 at) { transmission *= static_cast<float>(gaussian.at(at)); });
-    return gridOf(mask);
+    return mask;
+}
+
+// Means of a mask over `parts` x `parts` squares of the size `part` about its middle.
+std::vector<double> partsOf(const MaskAperture& mask, double part, std::uint32_t parts) {
+    struct Overlap {
+        std::size_t pixel;
+        double share;  // of the part
+    };
+    const auto overlaps = [&](std::uint32_t pixels, std::uint32_t i) {
+        const double perPart = part / (mask.pixel / m);
+        const double from = 0.5 * pixels + (i - 0.5 * parts) * perPart, to = from + perPart;
+        std::vector<Overlap> result;
+        for (double at = std::max(std::floor(from), 0.0); at < std::min<double>(pixels, to); at += 1.0)
+            result.push_back(
+                {static_cast<std::size_t>(at), (std::min(to, at + 1.0) - std::max(from, at)) / perPart});
+        return result;
+    };
+    std::vector<std::vector<Overlap>> across, down;
+    for (std::uint32_t i = 0; i < parts; ++i) {
+        across.push_back(overlaps(mask.columns, i));
+        down.push_back(overlaps(mask.rows, i));
+    }
+    std::vector<double> lines(std::size_t{mask.rows} * parts, 0.0);
+    for (std::size_t row = 0; row < mask.rows; ++row)
+        for (std::size_t i = 0; i < parts; ++i)
+            for (const auto& [pixel, share] : across[i])
+                lines[row * parts + i] += share * mask.transmission[row * mask.columns + pixel];
+    std::vector<double> means(std::size_t{parts} * parts, 0.0);
+    for (std::size_t j = 0; j < parts; ++j)
+        for (const auto& [pixel, share] : down[j])
+            for (std::size_t i = 0; i < parts; ++i) means[j * parts + i] += share * lines[pixel * parts + i];
+    return means;
+}
+
+// The outlines of an opening in a Gaussian beam, and the box that holds what of it is lit.
+struct LitOutlines {
+    std::vector<Outline> outlines;
+    Gaussian gaussian;
+    dvec2 low, high;
+};
+
+// Without a width the beam is even.
+LitOutlines litOutlines(const Aperture& aperture, const std::optional<double>& beamWidth) {
+    // Beyond this many radii of the beam lie 2e-7 of a whole Gaussian's amplitude along either side.
+    constexpr double kReach = 3.7;
+    const double width = beamWidth.value_or(std::numeric_limits<double>::infinity());
+    LitOutlines lit{outlinesOf(aperture), {0.5 * width, 0.0}, {}, {}};
+    const auto [square, isInside] = surroundings(lit.outlines);
+    if (!isInside) lit.gaussian.nearest = square;
+    const dvec2 reach(std::sqrt(lit.gaussian.nearest + std::pow(kReach * lit.gaussian.radius, 2)));
+    lit.low = dvec2(std::numeric_limits<double>::infinity());
+    lit.high = -lit.low;
+    forEdges(lit.outlines, [&](dvec2 from, dvec2) {
+        lit.low = glm::min(lit.low, from);
+        lit.high = glm::max(lit.high, from);
+    });
+    lit.low = glm::max(lit.low, -reach);
+    lit.high = glm::min(lit.high, reach);
+    return lit;
 }
 
 }  // namespace
@@ -173,49 +286,52 @@ double clearance(const Aperture& aperture) {
 }
 
 AmplitudeGrid gaussianGrid(const Aperture& aperture, double beamWidth, std::uint32_t across) {
-    if (const auto* mask = std::get_if<MaskAperture>(&aperture)) return litMask(*mask, 0.5 * beamWidth);
-    // Beyond this many radii of the beam lie 2e-7 of a whole Gaussian's amplitude along either side.
-    constexpr double kReach = 3.7;
-    std::vector<Outline> outlines = outlinesOf(aperture);
-    const auto [square, isInside] = surroundings(outlines);
-    const Gaussian gaussian{0.5 * beamWidth, isInside ? 0.0 : square};
-    const dvec2 reach(std::sqrt(gaussian.nearest + std::pow(kReach * gaussian.radius, 2)));
-    dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+    if (const auto* mask = std::get_if<MaskAperture>(&aperture))
+        return gridOf(inGaussian(*mask, 0.5 * beamWidth));
+    LitOutlines lit = litOutlines(aperture, beamWidth);
     AmplitudeGrid grid{across, across, {}, {}, 0.0, {}, true};
-    forEdges(outlines, [&](dvec2 from, dvec2 to) {
-        low = glm::min(low, from);
-        high = glm::max(high, from);
-        grid.edges.push_back(edgeIn(gaussian, from, to));
-    });
-    low = glm::max(low, -reach);
-    high = glm::min(high, reach);
+    forEdges(lit.outlines,
+             [&](dvec2 from, dvec2 to) { grid.edges.push_back(edgeIn(lit.gaussian, from, to)); });
     // Two pixels on either side stay empty but for what the weights put there.
-    grid.pixel = (high - low) / (across - 4.0);
-    const dvec2 corner(low.x - 2.0 * grid.pixel.x, high.y + 2.0 * grid.pixel.y);
-    const dvec2 part = grid.pixel / double{kParts}, step(part.x, -part.y);
-    for (Outline& outline : outlines)
-        for (dvec2& vertex : outline) vertex = (vertex - corner) / step;
-
+    grid.pixel = (lit.high - lit.low) / (across - 4.0);
+    const dvec2 corner(lit.low.x - 2.0 * grid.pixel.x, lit.high.y + 2.0 * grid.pixel.y);
+    const dvec2 part = grid.pixel / double{kParts};
     std::vector<double> means;
-    const std::uint32_t parts = kParts * across;
-    const std::vector<Covered> covered = coverage(outlines, parts, parts);
-    means.reserve(covered.size());
-    for (std::uint32_t row = 0; row < parts; ++row) {
-        for (std::uint32_t column = 0; column < parts; ++column) {
-            const auto& [share, centroid] = covered[means.size()];
-            if (share == 0.0) {
-                means.push_back(0.0);
-                continue;
-            }
-            const dvec2 place = corner + step * (dvec2(column, row) + 0.5 + centroid);
-            const double amplitude = gaussian.at(place);
-            means.push_back(share * amplitude * gaussian.mean(place, part, 1.0));
-            grid.area += share * amplitude * amplitude * gaussian.mean(place, part, 2.0);
-        }
+    for (const auto& [mean, square] :
+         litParts(std::move(lit.outlines), lit.gaussian, corner, part, kParts * across)) {
+        means.push_back(mean);
+        grid.area += square;
     }
     grid.area *= part.x * part.y;
-    grid.amplitudes = hatsOf(means, across, across);
+    grid.amplitudes = reduced(means, hatWeights(), across, across);
     return grid;
+}
+
+double litHalf(const Aperture& aperture, const std::optional<double>& beamWidth) {
+    if (const auto* mask = std::get_if<MaskAperture>(&aperture))
+        return 0.5 * std::max(mask->columns, mask->rows) * (mask->pixel / m);
+    const LitOutlines lit = litOutlines(aperture, beamWidth);
+    const dvec2 farthest = glm::max(glm::abs(lit.low), glm::abs(lit.high));
+    return std::max(farthest.x, farthest.y);
+}
+
+AmplitudeSamples samplesOf(const Aperture& aperture, const std::optional<double>& beamWidth,
+                           std::uint32_t across) {
+    constexpr std::uint32_t kMargin = 6;  // pixels, for what the weights put beyond the opening
+    const std::uint32_t parts = kParts * across;
+    const double half = litHalf(aperture, beamWidth), pixel = 2.0 * half / (across - 2.0 * kMargin);
+    std::vector<double> means;
+    if (const auto* mask = std::get_if<MaskAperture>(&aperture)) {
+        means = partsOf(beamWidth ? inGaussian(*mask, 0.5 * *beamWidth) : *mask, pixel / kParts, parts);
+    } else {
+        LitOutlines lit = litOutlines(aperture, beamWidth);
+        const dvec2 corner = 0.5 * across * pixel * dvec2(-1.0, 1.0);
+        const std::optional gaussian = beamWidth ? std::optional(lit.gaussian) : std::nullopt;
+        for (const Lit& part :
+             litParts(std::move(lit.outlines), gaussian, corner, dvec2(pixel / kParts), parts))
+            means.push_back(part.mean);
+    }
+    return {across, half, pixel, reduced(means, sampleWeights(), across, across)};
 }
 
 }  // namespace fringe::optics

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 #include "optics/aperture.hpp"
@@ -39,5 +40,23 @@ double clearance(const Aperture& aperture);
 // along the inner rim: 2e-4.)
 // Precondition: no slits and no lattice.
 AmplitudeGrid gaussianGrid(const Aperture& aperture, double beamWidth, std::uint32_t across);
+
+// The amplitude behind an opening, without what is finer than two pixels, in the middles of `across` x
+// `across` pixels about (0, 0), row by row from the top: what to sum up where a phase comes on top that
+// changes within a pixel of the opening's own.
+struct AmplitudeSamples {
+    std::uint32_t across;
+    double half;   // metres: the square that holds the light reaches as far from its middle
+    double pixel;  // metres
+    std::vector<float> amplitudes;
+};
+
+// Half the side of the square about (0, 0) that holds the light, in metres, as below.
+double litHalf(const Aperture& aperture, const std::optional<double>& beamWidth);
+
+// `beamWidth`: 1/e^2 diameter in metres of a Gaussian beam that lights the opening, if one does. What the
+// amplitudes stand for is within 0.42 turns per pixel of their middle. Precondition: no slits and no lattice.
+AmplitudeSamples samplesOf(const Aperture& aperture, const std::optional<double>& beamWidth,
+                           std::uint32_t across);
 
 }  // namespace fringe::optics

@@ -17,6 +17,7 @@
 
 #include "optics/integrals.hpp"
 #include "optics/shares.hpp"
+#include "optics/spline_table.hpp"
 
 namespace fringe::optics {
 namespace {
@@ -81,18 +82,6 @@ Grid autocorrelation(const AmplitudeGrid& mask) {
         grid.complexNumbers()[i] = std::norm(grid.complexNumbers()[i]);
     grid.transformBack();
     return grid;
-}
-
-// What lags of 0, 1, ... count for in a table of `size` points: 1 / sinc^4(lag / size), as the cubic
-// B-spline's transform divides, times the transform of a Gaussian over which the table is an average, of the
-// standard deviation `width` in turns from a pixel to the next.
-std::vector<float> lagWeights(std::uint32_t lags, std::uint32_t size, double width) {
-    std::vector<float> weights(lags);
-    for (std::uint32_t lag = 0; lag < lags; ++lag) {
-        weights[lag] = static_cast<float>(std::pow(sinc(double(lag) / size), -4) *
-                                          std::exp(-2.0 * std::pow(pi * width * lag, 2)));
-    }
-    return weights;
 }
 
 // The table of the lags' weighted autocorrelation, of the size that `level` has.

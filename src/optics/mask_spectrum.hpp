@@ -33,6 +33,9 @@ public:
     // m^2: integral of the squared amplitude.
     double area() const { return area_; }
 
+    // Of what is open.
+    std::span<const Edge> edges() const { return edges_; }
+
     // Width and height of a pixel in metres, whether it is a hat, and how many there are from corner to
     // corner.
     glm::dvec2 pixel() const { return pixel_; }

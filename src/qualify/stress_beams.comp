@@ -51,7 +51,7 @@ void main() {
         give(0u, discFootprint(g, given2(0u), given2(2u), given(5u), 0.0, vec2(0.0)));
     } else if (VARIANT == 3u) {
         vec2 frequency = given2(0u) * given(2u);
-        give(0u, maskPattern(frequency, 0u, vec2(4.0), SHARP_MASK) * slitFactor(frequency.x) * slitFactor(frequency.y));
+        give(0u, maskPattern(frequency, 0u, vec2(4.0), SHARP_MASK, false) * slitFactor(frequency.x) * slitFactor(frequency.y));
     } else if (VARIANT == 4u) {
         g.zeroEntry = uint(given(2u));
         g.perU = given(3u);

@@ -48,16 +48,15 @@ TEST_F(SceneFiles, ValidateSaysThatAFileIsValid) {
     EXPECT_EQ(outcome.out, roomFile() + ": valid\n");
 }
 
-// A hexagon of a millimetre half a metre from a wall: Fresnel number 0.25e-6 / (550e-9 0.5) = 0.91. A beam of
-// a millimetre falls by 1 - exp(-2) to its rim.
+// A hexagon of 10 mm half a metre from a wall: Fresnel number 25e-6 / (550e-9 0.5) = 90.9.
 constexpr const char* kNearScene = R"({
   "fringe": 1,
   "camera": { "position": [0, 0, 3], "target": [0, 0, 0] },
   "materials": { "white": { "type": "diffuse", "reflectance": 0.8 } },
   "objects": [{ "type": "plane", "point": [0, 0, -0.5], "normal": [0, 0, 1], "material": "white" }],
   "lights": [{ "name": "hexagon", "type": "grating", "position": [0, 0, 0], "normal": [0, 0, -1],
-    "slit_direction": [0, 1, 0], "aperture": { "type": "polygon", "sides": 6, "diameter": "1 mm" },
-    "beam": { "power": "1 mW", "profile": "gaussian", "diameter": "1 mm" } }]
+    "slit_direction": [0, 1, 0], "aperture": { "type": "polygon", "sides": 6, "diameter": "10 mm" },
+    "beam": { "power": "1 mW", "profile": "gaussian", "diameter": "5 mm" } }]
 }
 )";
 
@@ -66,22 +65,35 @@ TEST_F(SceneFiles, WarnWhereTheRendererShowsThemWrongly) {
     const Outcome outcome = runHere({"validate", "near.json"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.out, "near.json: valid\n");
-    EXPECT_TRUE(
-        std::regex_search(outcome.err, std::regex(R"(near\.json: warning: hexagon: .*0\.91 at 0\.5 m)")))
+    EXPECT_TRUE(std::regex_search(
+        outcome.err, std::regex(R"(near\.json: warning: hexagon: .*number is 90\.9 at 0\.5 m.*up to 40)")))
         << outcome.err;
     EXPECT_EQ(outcome.err.find('%'), std::string::npos) << outcome.err;  // its profile is no matter
     const Outcome json = runHere({"info", "--json", "near.json"});
     EXPECT_EQ(json.status, 0);
     EXPECT_EQ(json.err, "");
-    EXPECT_NE(json.out.find("0.91 at 0.5 m"), std::string::npos);
-    // In the beam's focus all is well, and so it is for a shape whose near field is known, of even light.
+    EXPECT_NE(json.out.find("90.9 at 0.5 m"), std::string::npos);
+    // In the beam's focus all is well, and so it is for a shape whose near field is known.
     EXPECT_EQ(runHere({"info", "near.json", "--set", "lights.hexagon.beam.focus=0.5 m"}).err, "");
-    constexpr const char* kCircle = R"(lights.hexagon.aperture={"type": "circle", "diameter": "1 mm"})";
-    EXPECT_EQ(
-        runHere({"info", "near.json", "--set", kCircle, "--set", "lights.hexagon.beam.profile=flat"}).err,
-        "");
-    EXPECT_TRUE(std::regex_search(runHere({"info", "near.json", "--set", kCircle}).err,
-                                  std::regex("near\\.json: warning: hexagon: .*near field.*86 %")));
+    const auto warningOf = [&](const std::string& aperture) {
+        const std::regex polygon(R"(\{ "type": "polygon".*\})");
+        putBytes(folder_ / "other.json", std::regex_replace(std::string(kNearScene), polygon, aperture));
+        return runHere({"validate", "other.json"}).err;
+    };
+    EXPECT_EQ(warningOf(R"({"type": "circle", "diameter": "1 mm"})"), "");
+    EXPECT_EQ(warningOf(R"({"type": "polygon", "sides": 6, "diameter": "1 mm"})"), "");
+    // Of a lattice's cells it is not.
+    EXPECT_TRUE(std::regex_search(
+        warningOf(
+            R"({"type": "lattice", "cell": {"type": "circle", "diameter": "1 mm"}, "first": ["2 mm", "0 mm"],
+                      "second": ["0 mm", "2 mm"], "first_count": 2, "second_count": 1})"),
+        std::regex(R"(other\.json: warning: hexagon: the far field of each opening .*0\.91 at 0\.5 m)")));
+    // More cells than the beam's profile is known across, which falls by 1 - exp(-2) to the rim.
+    EXPECT_TRUE(std::regex_search(
+        warningOf(
+            R"({"type": "lattice", "cell": {"type": "circle", "diameter": "4 um"}, "first": ["5 um", "0 um"],
+                      "second": ["0 um", "5 um"], "first_count": 1000, "second_count": 1})"),
+        std::regex("other\\.json: warning: hexagon: the opening is lit evenly.*86 %")));
 }
 
 TEST_F(SceneFiles, ValidateListsEveryProblemOfEveryFile) {

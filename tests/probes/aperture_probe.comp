@@ -56,7 +56,7 @@ float pattern(vec2 uv) {
     if (PATTERN == 9u) return evenSymmetricPattern(uv);
     if (PATTERN == 7u) {
         vec2 frequency = uv * parameters[0] * pair(3u);
-        return maskPattern(frequency, 6u, pair(1u), SHARP_MASK) *
+        return maskPattern(frequency, 6u, pair(1u), SHARP_MASK, false) *
                pow(slitFactor(frequency.x) * slitFactor(frequency.y), parameters[5]);
     }
     float first = fejer(turnsPastOrder(parameters[0], wayPerCell(uv, vec4(pair(1u), pair(3u)))), parameters[9]);

@@ -3,29 +3,29 @@
 
 The field just behind the opening is 1 inside and 0 outside; its spectrum (a fast Fourier transform, zero-padded) times
 exp(2 pi i z sqrt(1/wavelength^2 - f^2)) is the field's spectrum at the distance z, exactly in scalar theory (J. W. Goodman,
-"Introduction to Fourier Optics", 3.10). Nothing here is a far field. Needs numpy; 10 s, 3 GB. Prints x, y in metres and
-the irradiance over that of the light that falls on the opening: redirect it to angular_spectrum.csv.
+"Introduction to Fourier Optics", 3.10). Nothing here is a far field. Two openings are small, and two 20 times as large,
+which are seen in their near field. Needs numpy; 40 s, 3 GB. Prints x, y in metres and the irradiance over that of the
+light that falls on the opening: redirect it to angular_spectrum.csv.
 """
 import numpy as np
 
 WAVELENGTH = 532e-9
-DISTANCE = 20e-3        # a Fresnel number of 0.01 for an opening of 20 um
+DISTANCE = 20e-3        # a Fresnel number of 0.01 for an opening of 20 um, of 3.8 for one of 400 um
 STEP = 0.5e-6           # of the field's samples
 SAMPLES = 8192          # 4.1 mm: 2.0 mm to either side hold the pattern up to a sine of 0.1
-SUPER = 16              # the opening's coverage of a sample, by so many points squared
 
 
-def coverage(inside, extent):
-    """Share of each sample that is open."""
+def coverage(inside, extent, points):
+    """Share of each sample that is open, by so many points squared."""
     n = int(extent / STEP) // 2 + 2
-    fine = (np.arange(-n * SUPER, n * SUPER) + 0.5) * STEP / SUPER
+    fine = (np.arange(-n * points, n * points) + 0.5) * STEP / points
     # Samples are at whole multiples of STEP: a sample's cell begins half a step before it.
     x, y = np.meshgrid(fine - 0.5 * STEP, fine - 0.5 * STEP)
-    return inside(x, y).reshape(2 * n, SUPER, 2 * n, SUPER).mean(axis=(1, 3)), n
+    return inside(x, y).reshape(2 * n, points, 2 * n, points).mean(axis=(1, 3)), n
 
 
-def propagated(inside, extent):
-    small, n = coverage(inside, extent)
+def propagated(inside, extent, points):
+    small, n = coverage(inside, extent, points)
     field = np.zeros((SAMPLES, SAMPLES), np.complex64)
     middle = SAMPLES // 2
     field[middle - n:middle + n, middle - n:middle + n] = small
@@ -60,9 +60,11 @@ def letter(x, y):
 
 print("# Irradiance 20 mm behind openings at 532 nm, by tests/render/angular_spectrum.py.")
 print("opening,x_m,y_m,relative_irradiance")
-for name, inside, extent in (("hexagon", hexagon, 22e-6), ("letter", letter, 20e-6)):
-    irradiance = propagated(inside, extent)
-    for j in range(-2048, 2049, 256):
-        for i in range(-2048, 2049, 128):
+for name, inside, extent, points, step in (("hexagon", hexagon, 22e-6, 16, 128), ("letter", letter, 20e-6, 16, 128),
+                                           ("near_hexagon", lambda x, y: hexagon(x / 20, y / 20), 440e-6, 4, 32),
+                                           ("near_letter", lambda x, y: letter(x / 20, y / 20), 400e-6, 4, 32)):
+    irradiance = propagated(inside, extent, points)
+    for j in range(-16 * step, 16 * step + 1, 2 * step):
+        for i in range(-16 * step, 16 * step + 1, step):
             value = irradiance[SAMPLES // 2 + j, SAMPLES // 2 + i]
             print(f"{name},{i * STEP:.6g},{j * STEP:.6g},{value:.6e}")

@@ -101,6 +101,66 @@ INSTANTIATE_TEST_SUITE_P(
             kWhite, 0.002}),
     [](const auto& info) { return std::string(info.param.name); });
 
+constexpr const char* kEvenDaylight = R"("diameter": "40 mm")";
+constexpr const char* kGaussianGreen =
+    R"("profile": "gaussian", "diameter": "2 mm", "spectrum": { "type": "laser", "wavelength": "532 nm" })";
+constexpr const char* kGaussianDaylight = R"("profile": "gaussian", "diameter": "2 mm")";
+
+// Near fields that are looked up, from a Fresnel number of 0.3 to 30.
+class NearLayersOnDevice : public ::testing::TestWithParam<OpeningScene> {};
+
+TEST_P(NearLayersOnDevice, AreAsTheSumOfWavesHasThem) {
+    scene::Scene scene = nearScene(GetParam());
+    if (GetParam().beam == kEvenDaylight ||
+        GetParam().beam == kGaussianDaylight) {  // a band across, for time's sake
+        constexpr std::uint32_t kRows = 32;
+        scene.camera.projection = scene::Orthographic{GetParam().height * kRows / scene.image.height};
+        scene.image.height = kRows;
+    }
+    const double error = largestError(scene, 91);
+    RecordProperty("error", fmt::format("{:.1e}", error));
+    EXPECT_LE(error, 1e-2);
+}
+
+constexpr const char* kSmall = R"({ "type": "polygon", "sides": 6, "diameter": "0.8 mm" })";
+constexpr const char* kSecond = R"({ "type": "polygon", "sides": 6, "diameter": "1.46 mm" })";
+constexpr const char* kMiddle = R"({ "type": "polygon", "sides": 6, "diameter": "2.5 mm" })";
+constexpr const char* kLarge = R"({ "type": "polygon", "sides": 6, "diameter": "4.6 mm" })";
+constexpr const char* kLargest = R"({ "type": "polygon", "sides": 6, "diameter": "8 mm" })";
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, NearLayersOnDevice,
+    ::testing::Values(
+        OpeningScene{"hexagon03InLaserLight", kSmall, kGreen, kWhite, 0.004},
+        OpeningScene{"hexagon1InLaserLight", kSecond, kGreen, kWhite, 0.004},
+        OpeningScene{"hexagon3InLaserLight", kMiddle, kGreen, kWhite, 0.004},
+        OpeningScene{"hexagon10InLaserLight", kLarge, kGreen, kWhite, 0.006},
+        OpeningScene{"hexagon30InLaserLight", kLargest, kGreen, kWhite, 0.01},
+        OpeningScene{"hexagon03", kSmall, kEvenDaylight, kWhite, 0.004},
+        OpeningScene{"hexagon1", kSecond, kEvenDaylight, kWhite, 0.004},
+        OpeningScene{"hexagon3", kMiddle, kEvenDaylight, kWhite, 0.004},
+        OpeningScene{"hexagon10", kLarge, kEvenDaylight, kWhite, 0.006},
+        OpeningScene{"hexagon30", kLargest, kEvenDaylight, kWhite, 0.01},
+        OpeningScene{"triangle", R"({ "type": "polygon", "sides": 3, "diameter": "2 mm" })", kGreen, kWhite,
+                     0.004},
+        OpeningScene{
+            "oblique", kMiddle,
+            R"("diameter": "40 mm", "direction": [0.3, 0, -1], "spectrum": { "type": "laser", "wavelength": "532 nm" })",
+            kWhite, 0.004},
+        OpeningScene{
+            "behindTheFocus", R"({ "type": "polygon", "sides": 3, "diameter": "5 mm" })",
+            R"("diameter": "40 mm", "focus": "0.8 m", "spectrum": { "type": "laser", "wavelength": "532 nm" })",
+            kWhite, 0.003},
+        OpeningScene{"cutCircle", R"({ "type": "circle", "diameter": "2 mm" })", kGaussianGreen, kWhite,
+                     0.004},
+        OpeningScene{"cutCircleInDaylight", R"({ "type": "circle", "diameter": "2 mm" })", kGaussianDaylight,
+                     kWhite, 0.004},
+        OpeningScene{"cutRectangle", R"({ "type": "rectangle", "width": "1 mm", "height": "2 mm" })",
+                     kGaussianGreen, kWhite, 0.004},
+        OpeningScene{"cutRing", R"({ "type": "ring", "diameter": "3 mm", "inner_diameter": "1.2 mm" })",
+                     kGaussianDaylight, kWhite, 0.005},
+        OpeningScene{"cutHexagon", kMiddle, kGaussianDaylight, kWhite, 0.004}),
+    [](const auto& info) { return std::string(info.param.name); });
+
 // From the far field to the near one: no step where one formula takes over from another.
 TEST(NearOpeningsOnDevice, WalkThroughTheTransitionsWithoutASeam) {
     for (const char* shape : {R"({{ "type": "circle", "diameter": "{0} um" }})",
@@ -114,6 +174,43 @@ TEST(NearOpeningsOnDevice, WalkThroughTheTransitionsWithoutASeam) {
             scene.image.height = kRows;
             EXPECT_LE(largestError(scene, 91), 1e-4) << aperture;  // as LEAST_FRESNEL_NUMBER has it
         }
+    }
+}
+
+// The same where tables take over, with the bound of kLeastLayer, and where these have more points for more
+// ripples.
+TEST(NearLayers, WalkThroughTheTransitionsWithoutASeam) {
+    for (const double size_um : {180.0, 250.0, 262.0, 600.0, 2900.0, 2940.0, 5000.0, 5100.0}) {
+        const std::string aperture =
+            fmt::format(R"({{ "type": "polygon", "sides": 6, "diameter": "{} um" }})", size_um);
+        constexpr std::uint32_t kRows = 4;
+        const double height = 4.0 * 0.532 / size_um + 1.5e-6 * size_um;
+        scene::Scene scene = nearScene({"", aperture.c_str(), kGreen, kWhite, kRows / 640.0 * height});
+        scene.image.height = kRows;
+        EXPECT_LE(largestError(scene, 91), 1e-3) << aperture;
+    }
+}
+
+// A screen that is nearly along the beam, from 0.5 m to 1.5 m away.
+TEST(NearLayers, FollowALongScreen) {
+    scene::Scene scene = nearScene({"", kMiddle, kGreen, kWhite, 0.004, "", "[100, 0, 0.4]"});
+    const double error = largestError(scene, 91);
+    RecordProperty("error", fmt::format("{:.1e}", error));
+    EXPECT_LE(error, 1e-2);
+}
+
+// A band across a letter, in even light and in a Gaussian beam.
+TEST(NearLayers, MasksAreAsTheSumOfWavesHasThem) {
+    for (const char* beam : {kGreen, kEvenDaylight, kGaussianGreen}) {
+        scene::Scene scene = nearScene({"", kMiddle, beam, kWhite, 0.0003});
+        scene.image.height = 32;
+        gratingOf(scene).aperture = letter(0.2 * units::mm);
+        const double error = largestError(scene, 91);
+        RecordProperty(beam == kGreen           ? "error"
+                       : beam == kGaussianGreen ? "gaussian_error"
+                                                : "daylight_error",
+                       fmt::format("{:.1e}", error));
+        EXPECT_LE(error, 1e-2) << beam;
     }
 }
 

@@ -33,6 +33,7 @@ FEATURES = {
     "slit gratings": (["SLIT_GRATING_COUNT"], []),
     "opening gratings": (["OPENING_GRATING_COUNT"], []),
     "near fields of openings": (["HAS_NEAR_OPENINGS"], []),
+    "near fields that are looked up": (["HAS_NEAR_LAYERS"], []),
     "optical discs": (["OPTICAL_DISC_COUNT", "CASTING_DISC_COUNT", "HAS_HUBS"], []),
     "sums over wavelengths": (["HAS_DIRECT_EVALUATOR"], []),
     "evaluation by orders": (["HAS_ORDERS_EVALUATOR"], []),

@@ -11,7 +11,7 @@
 namespace fringe::compile {
 namespace {
 
-constexpr double kEven = 0.1;  // of the irradiance in the middle, by which it may fall to the rim
+constexpr double kFallToTell = 0.1;  // of the irradiance in the middle, by which it may fall to the rim
 
 std::optional<std::string> nearFieldWarning(const scene::Grating& grating, const NearestField& nearest) {
     const auto [distance, number, least] = nearest;
@@ -36,12 +36,12 @@ std::optional<std::string> nearFieldWarning(const scene::Grating& grating, const
 
 std::optional<std::string> profileWarning(const scene::Grating& grating, const NearestField& nearest) {
     const double fall = fallToRim(grating);
-    if (!(fall > kEven) || profileAcross(grating, nearest.fresnelNumber)) return {};
+    if (!(fall > kFallToTell) || profileAcross(grating, nearest.fresnelNumber)) return {};
     return fmt::format(
         "the opening is lit evenly, though the Gaussian beam falls by {:.0f} % from its middle to its rim. "
         "The power is right, the pattern that of an even beam. A beam of {:.3g} mm would fall by {:.0f} %",
-        100.0 * fall, 1e3 * wholeExtent(grating.aperture) / std::sqrt(-0.5 * std::log(1.0 - kEven)),
-        100.0 * kEven);
+        100.0 * fall, 1e3 * wholeExtent(grating.aperture) / std::sqrt(-0.5 * std::log(1.0 - kFallToTell)),
+        100.0 * kFallToTell);
 }
 
 }  // namespace

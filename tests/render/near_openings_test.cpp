@@ -179,7 +179,7 @@ TEST(NearOpeningsOnDevice, WalkThroughTheTransitionsWithoutASeam) {
 
 // The same where tables take over, with the bound of kLeastLayer, and where these have more points for more
 // ripples.
-TEST(NearLayers, WalkThroughTheTransitionsWithoutASeam) {
+TEST(NearFieldsOnDevice, WalkThroughTheTransitionsWithoutASeam) {
     for (const double size_um : {180.0, 250.0, 262.0, 600.0, 2900.0, 2940.0, 5000.0, 5100.0}) {
         const std::string aperture =
             fmt::format(R"({{ "type": "polygon", "sides": 6, "diameter": "{} um" }})", size_um);
@@ -192,7 +192,7 @@ TEST(NearLayers, WalkThroughTheTransitionsWithoutASeam) {
 }
 
 // A screen that is nearly along the beam, from 0.5 m to 1.5 m away.
-TEST(NearLayers, FollowALongScreen) {
+TEST(NearFieldsOnDevice, FollowALongScreen) {
     scene::Scene scene = nearScene({"", kMiddle, kGreen, kWhite, 0.004, "", "[100, 0, 0.4]"});
     const double error = largestError(scene, 91);
     RecordProperty("error", fmt::format("{:.1e}", error));
@@ -200,7 +200,7 @@ TEST(NearLayers, FollowALongScreen) {
 }
 
 // A band across a letter, in even light and in a Gaussian beam.
-TEST(NearLayers, MasksAreAsTheSumOfWavesHasThem) {
+TEST(NearFieldsOnDevice, MasksAreAsTheSumOfWavesHasThem) {
     for (const char* beam : {kGreen, kEvenDaylight, kGaussianGreen}) {
         scene::Scene scene = nearScene({"", kMiddle, beam, kWhite, 0.0003});
         scene.image.height = 32;

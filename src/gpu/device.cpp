@@ -83,10 +83,16 @@ vk::raii::Instance createInstance(const vk::raii::Context& context, bool validat
     }
 }
 
+// A window that is resized between the question for its size and the making of its swapchain: nothing that
+// the caller could prevent (Khronos' Vulkan-Docs, issue 1144). The driver tells it as a swapchain out of
+// date.
+constexpr std::string_view kResizedMeanwhile = "VUID-VkSwapchainCreateInfoKHR-imageExtent-01274";
+
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                          VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
-    static_cast<ValidationLog*>(log)->add(data->pMessage);
+    if (data->pMessageIdName == nullptr || data->pMessageIdName != kResizedMeanwhile)
+        static_cast<ValidationLog*>(log)->add(data->pMessage);
     return VK_FALSE;
 }
 

@@ -41,13 +41,16 @@ float phaseContrast(OpticalDisc disc, float wavelength_um, float cosines) {
     return contrastOf(disc.depth_um * cosines / wavelength_um);
 }
 
+// What order 0 carries, with what is scattered.
+float undeviated(OpticalDisc disc, float contrast) { return 1.0 - contrast * disc.pits * (1.0 - disc.pits); }
+
 // What an order, not 0, carries at a contrast of 1 (src/optics/track.hpp).
 float orderStrength(OpticalDisc disc, float order) {
     return disc.pits * disc.pits * slitFactor(order * disc.pitWidth_um / disc.pitch_um);
 }
 
-// The same of orders 1, 2, ... one after the other: (pit share/(pi m))^2 sin^2(pi m width/pitch). 1 - cos(m x) by the recurrence that keeps its digits at small x (C. Reinsch,
-// in J. Stoer, R. Bulirsch, "Introduction to Numerical Analysis", 1.3).
+// The same of orders 1, 2, ... one after the other: (pit share/(pi m))^2 sin^2(pi m width/pitch), with 1 - cos(m x) by the
+// recurrence that keeps its digits at small x (C. Reinsch, in J. Stoer, R. Bulirsch, "Introduction to Numerical Analysis", 1.3).
 struct OrderStrengths {
     float scale;
     float first;         // 1 - cos x, x = 2 pi width/pitch
@@ -106,7 +109,7 @@ float renormalisation(OpticalDisc disc, float wavelength_um, float alpha, float 
     if (decided(disc.isCoarse) != 0u) return 1.0;
     float inside = cosineInside(disc, alpha * alpha + betaSquared);
     float contrast = phaseContrast(disc, wavelength_um, 2.0 * inside);
-    float sum = 1.0 - contrast * disc.pits * (1.0 - disc.pits);
+    float sum = undeviated(disc, contrast);
     float perOrder = wavelength_um / disc.pitch_um, halfTurns = disc.depth_um / wavelength_um;
     float perBendSquared = 1.0 / (disc.bend * disc.bend);
     float most = min(float(disc.orderCount), (1.0 + abs(alpha)) / perOrder);
@@ -162,7 +165,7 @@ float undeviatedShare(OpticalDisc disc, vec2 out_, float cosine, uint band, bool
         share = 1.0 - disc.pits;
     } else if (isTrack) {
         float contrast = phaseContrast(disc, wavelength_um, 2.0 * cosineInside(disc, 1.0 - cosine * cosine));
-        share = (1.0 - contrast * disc.pits * (1.0 - disc.pits)) *
+        share = undeviated(disc, contrast) *
                 renormalisation(disc, wavelength_um, out_.x, out_.y * out_.y,
                                 HAS_SCATTERING != 0u ? tables[disc.scatteringShares + band] : 0.0);
     }
@@ -307,7 +310,7 @@ vec3 ordersOfSky(OpticalDisc disc, TrackView v, float rim, uint open, uint spect
             float alpha = 0.5 * (low + high);
             float inside = sqrt(max(1.0 - (alpha * alpha + betaSquared) * perBendSquared, 0.0));
             float contrast = contrastOf(2.0 * halfTurns * inside);
-            float all = 1.0 - contrast * disc.pits * (1.0 - disc.pits);
+            float all = undeviated(disc, contrast);
             float most = (rim + abs(middle)) / perOrder + 1.0;
             OrderStrengths s = strengths;
             for (float m = 1.0; m <= most; m += 1.0) {

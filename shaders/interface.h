@@ -334,7 +334,7 @@ struct LayerRow {
 };
 const uint LAYER_ROW_SIZE = 11u;
 const float LAYER_OFFSET = 2.5f;
-const float LAYER_STRETCH = 3.0f;    // as kNearStretch (src/optics/near_spectrum.hpp)
+const float LAYER_STRETCH = 3.0f;    // src/optics/near_spectrum.hpp
 
 // An entry of that list. Where a scene has but one opening and grey surfaces, and the list is no longer than
 // FEW_SAMPLES, it is in the uniform block, and the loop over it unrolled.

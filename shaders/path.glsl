@@ -39,10 +39,15 @@ void add(Arrival arrival, Surface surface, vec3 normal, float travelled, inout S
     }
 }
 
+// The numbers of a sample that say which point of light i it sees.
+vec2 pairOfLight(Sample sample_, uint i) {
+    if (HAS_SEVERAL_SAMPLES == 0u) return vec2(0.5);
+    return samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
+}
+
 // Light i, or a part of it, at a diffuse surface or the track of a disc.
 Arrival fromLight(uint i, uint part, Surface surface, vec3 normal, Material material, TrackView view, Path path, Sample sample_) {
-    vec2 random = vec2(0.5);
-    if (HAS_SEVERAL_SAMPLES != 0u) random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i);
+    vec2 random = pairOfLight(sample_, i);
     Incident incident = incidentLight(lightAt(i), surface.position, normal, random);
     vec3 value = vec3(0.0);
     if (OPTICAL_DISC_COUNT > 0u && decided(material.kind) == OPTICAL_DISC) {
@@ -153,10 +158,7 @@ void addCastLight(Surface surface, vec3 normal, Material material, Path path, in
         CastingDisc caster = castingDiscAt(i / lightCount());
         Light light = lightAt(i % lightCount());
         vec3 w = surface.position - caster.center;
-        vec2 random = vec2(0.5);
-        if (HAS_SEVERAL_SAMPLES != 0u) {
-            random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i % lightCount());
-        }
+        vec2 random = pairOfLight(sample_, i % lightCount());
         Incident incident = incidentLight(light, caster.center, caster.normal, random);
         if (dot(w, caster.normal) <= 0.0 || incident.irradiance <= 0.0 || decided(light.kind) == ENVIRONMENT_LIGHT) continue;
         bool isParallel = decided(light.kind) == DIRECTIONAL_LIGHT;
@@ -171,8 +173,7 @@ void addCastLight(Surface surface, vec3 normal, Material material, Path path, in
 
 // What an optical disc's orders show of the sky.
 void addSkyOrders(uint i, OpticalDisc disc, Surface surface, vec3 normal, TrackView view, float travelled, inout Sample sample_) {
-    float random = 0.5;
-    if (HAS_SEVERAL_SAMPLES != 0u) random = samplePair(sample_.pixelSeed, sample_.index, sample_.dimension + i).x;
+    float random = pairOfLight(sample_, i).x;
     float rim = sqrt(max(1.0 - view.out_.y * view.out_.y, 0.0));
     vec3 origin = leave(surface.position, normal, travelled);
     uint open = 0u;

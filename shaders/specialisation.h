@@ -74,7 +74,7 @@
     X(67, HAS_BAND_RESPONSES)       \
     X(68, HAS_NEAR_OPENINGS)        \
     X(69, HAS_SHADOWS)              \
-    X(70, EVEN_SAMPLES)           \
-    X(71, HAS_UNEVEN_LATTICES)     \
-    X(72, HAS_GAUSSIAN_OPENINGS) \
+    X(70, EVEN_SAMPLES)             \
+    X(71, HAS_UNEVEN_LATTICES)      \
+    X(72, HAS_GAUSSIAN_OPENINGS)    \
     X(73, HAS_NEAR_LAYERS)

@@ -12,8 +12,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kLongestWave = 1e-9 * optics::kLongestVisible_nm;
-
 // Far beyond the rounding of the shader's tests: some ten operations on coordinates of this size.
 constexpr double kRounding = 1e-5;
 
@@ -54,7 +52,8 @@ bool isInBeam(const device::SlitGrating& g, const Region& region, Interval acros
         std::max(std::abs(1.0 - g.convergence * range.low), std::abs(1.0 - g.convergence * range.high));
     const double edge =
         g.halfHeight * (g.profile == device::GAUSSIAN_BEAM ? kGaussianReach : 1.0) * magnified +
-        0.5 * g.angularSize * range.high + kSpillReach * std::sqrt(0.5 * kLongestWave * range.high) / conical;
+        0.5 * g.angularSize * range.high +
+        kSpillReach * std::sqrt(0.5 * optics::kLongestVisible.si * range.high) / conical;
     const Interval along = seenFrom(region, g.position, g.along);
     const double shift1 = g.betaIn * range.low, shift2 = g.betaIn * range.high;
     const Interval foot{along.low - std::max(shift1, shift2), along.high - std::min(shift1, shift2)};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "compile/extent.hpp"
 
@@ -13,7 +12,7 @@ namespace {
 using glm::dvec2, glm::dvec3;
 
 struct Extent {
-    double operator()(const optics::Slits&) const { return std::numeric_limits<double>::infinity(); }
+    double operator()(const optics::Slits&) const { return kInfinity; }
     double operator()(const optics::RectangularAperture& a) const {
         return std::hypot(a.width / units::m, a.height / units::m);
     }
@@ -111,7 +110,7 @@ NearestField nearestField(const scene::Scene& scene, const scene::Grating& given
     const auto numberAt = [&](double distance) {
         return half * half * (1.0 / distance - convergence) / kFresnelWavelength;
     };
-    NearestField nearest{0.0, 0.0, std::numeric_limits<double>::infinity()};
+    NearestField nearest{0.0, 0.0, kInfinity};
     for (const scene::Object& object : scene.objects) {
         if (!std::holds_alternative<scene::Diffuse>(scene.materials[object.material].model)) continue;
         const Interval along = tube.meets(object.shape);

@@ -142,7 +142,7 @@ std::shared_ptr<const NearLayers> nearLayers(const scene::Grating& grating,
                            .level = 0.0F,
                            .slanting = 0.0F},
                           {}};
-        const optics::NearSpectrum nearSpectrum(std::move(samples), incoming, points);
+        const optics::NearSpectrum nearSpectrum(std::move(samples), incoming, points, device::LAYER_STRETCH);
         const auto numberOf = [&](int layer) {
             const int last = static_cast<int>(count) - 1;
             return first * std::pow(ratio, std::clamp(layer, 0, last)) - device::LAYER_OFFSET;

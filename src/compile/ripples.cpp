@@ -13,7 +13,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kLongest = 1e-9 * optics::kLongestVisible_nm;
 constexpr double kHidingRipples = 2.0;  // smears of so many ripples hide them wholly
 
 // A sample's least width on a shape.
@@ -61,11 +60,13 @@ public:
 private:
     // From the axis, with what diffraction spills (SPILL_REACH of shaders/beam.glsl).
     double reach(double range) const {
-        return g_.halfHeight + 0.5 * g_.angularSize * range + 20.0 * std::sqrt(0.5 * kLongest * range);
+        return g_.halfHeight + 0.5 * g_.angularSize * range +
+               20.0 * std::sqrt(0.5 * optics::kLongestVisible.si * range);
     }
     // Width of one, or of the main lobe of a beam narrower than that.
     double ripple(double range) const {
-        return std::max(std::sqrt(kLongest * range), 0.5 * kLongest * range / g_.halfHeight);
+        return std::max(std::sqrt(optics::kLongestVisible.si * range),
+                        0.5 * optics::kLongestVisible.si * range / g_.halfHeight);
     }
 
     const device::SlitGrating& g_;

@@ -28,9 +28,8 @@ std::optional<std::string> nearFieldWarning(const scene::Grating& grating, const
     const double half = 0.5 * openingExtent(grating.aperture);
     return fmt::format(
         "the far field of each opening is shown, which is wrong as near as this: its Fresnel number is "
-        "{:.2g} at "
-        "{:.3g} m, and the far field is where it is below {:g}. Let the light fall on surfaces {:.2g} m away "
-        "and beyond, or focus the beam on them (\"focus\": \"{:.3g} m\")",
+        "{:.2g} at {:.3g} m, and the far field is where it is below {:g}. Let the light fall on surfaces "
+        "{:.2g} m away and beyond, or focus the beam on them (\"focus\": \"{:.3g} m\")",
         number, distance, kFarFieldNumber, half * half / (kFarFieldNumber * kFresnelWavelength), distance);
 }
 

@@ -23,8 +23,6 @@ namespace fringe::image {
 
 namespace {
 
-constexpr int kRowsRead = 16;  // the rows that ZIP compression takes together
-
 class FileStream final : public Imf::IStream {
 public:
     FileStream(std::FILE* stream, const std::string& name) : IStream(name.c_str()), stream_(stream) {}
@@ -112,8 +110,8 @@ Picture readPixels(Imf::InputFile& file, const std::filesystem::path& path) {
     Picture picture{
         static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), layout.quantity, {}};
     std::vector<float> marks;
-    for (std::int64_t y = 0; y < height; y += kRowsRead) {
-        const std::int64_t rows = std::min<std::int64_t>(kRowsRead, height - y);
+    for (std::int64_t y = 0; y < height; y += kExrBandRows) {
+        const std::int64_t rows = std::min<std::int64_t>(kExrBandRows, height - y);
         const std::size_t done = picture.pixels.size();
         picture.pixels.resize(done + static_cast<std::size_t>(width * rows));
         marks.assign(static_cast<std::size_t>(width * rows), 0.0F);

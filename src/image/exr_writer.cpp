@@ -25,8 +25,6 @@ namespace fringe::image {
 
 namespace {
 
-constexpr std::uint32_t kBandRows = 16;  // the rows that ZIP compression takes together
-
 class PendingStream final : public Imf::OStream {
 public:
     PendingStream(PendingFile& file, const std::string& name) : OStream(name.c_str()), file_(file) {}
@@ -117,7 +115,7 @@ ExrWriter::ExrWriter(const std::filesystem::path& path, std::uint32_t width, std
 
 void ExrWriter::writeRows(std::span<const Pixel> rows) {
     assert(rows.size() % width_ == 0 && rows.size() / width_ <= rowsLeft_);
-    const std::size_t bandSize = std::size_t{kBandRows} * width_;
+    const std::size_t bandSize = std::size_t{kExrBandRows} * width_;
     for (; !rows.empty(); rows = rows.subspan(std::min(bandSize, rows.size())))
         writeBand(rows.first(std::min(bandSize, rows.size())));
 }

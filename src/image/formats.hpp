@@ -13,6 +13,9 @@ namespace fringe::image {
 
 enum class Format { png, exr };
 
+// The rows of an EXR file that ZIP compression takes together.
+inline constexpr std::uint32_t kExrBandRows = 16;
+
 std::unique_ptr<Writer> openPngWriter(const std::filesystem::path& path, std::uint32_t width,
                                       std::uint32_t height, const OutputOptions& options);
 std::unique_ptr<Writer> openExrWriter(const std::filesystem::path& path, std::uint32_t width,

@@ -74,10 +74,11 @@ struct NearSpectrum::Plans {
     }
 };
 
-NearSpectrum::NearSpectrum(AmplitudeSamples samples, dvec2 incoming, std::uint32_t points)
+NearSpectrum::NearSpectrum(AmplitudeSamples samples, dvec2 incoming, std::uint32_t points, double stretch)
     : samples_(std::move(samples)),
       incoming_(incoming),
       points_(points),
+      stretch_(stretch),
       peak_(std::pow(std::accumulate(samples_.amplitudes.begin(), samples_.amplitudes.end(), 0.0), 2)),
       plans_(std::make_unique<Plans>(static_cast<int>(3 * samples_.across),
                                      static_cast<int>(2 * samples_.across), points)) {}
@@ -141,7 +142,7 @@ std::vector<std::vector<float>> NearSpectrum::levels(double below, double number
             for (double i = 0.5; i < count; i += 1.0) {
                 const double past = i / count,
                              at = number + (count > 1.0 ? past : kSecondMoment) * (end - number);
-                addPattern(at, (at + kNearStretch) / (number + kNearStretch),
+                addPattern(at, (at + stretch_) / (number + stretch_),
                            2.0 * (1.0 - past) / count * range / (above - below), pattern);
             }
         }

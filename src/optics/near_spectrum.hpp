@@ -11,16 +11,14 @@
 
 namespace fringe::optics {
 
-// Patterns of Fresnel numbers between two neighbours in the row are found by stretching either's so that
-// directions f have the same f/(number + this): in the far field it is f that stays, in the near field the
-// place in the opening's image, and between either is right nearly enough.
-inline constexpr double kNearStretch = 3.0;
-
 class NearSpectrum {
 public:
     // `incoming`: direction cosines of the beam; along them the curvature is less. Tables have `points` x
-    // `points` entries, a power of two and twice or four times the samples.
-    NearSpectrum(AmplitudeSamples samples, glm::dvec2 incoming, std::uint32_t points);
+    // `points` entries, a power of two and twice or four times the samples. Patterns of Fresnel numbers
+    // between two neighbours in the row are found by stretching either's so that directions f have the same
+    // f/(number + stretch): in the far field it is f that stays, in the near field the place in the opening's
+    // image, and between either is right nearly enough.
+    NearSpectrum(AmplitudeSamples samples, glm::dvec2 incoming, std::uint32_t points, double stretch);
     ~NearSpectrum();
     NearSpectrum(const NearSpectrum&) = delete;
     NearSpectrum& operator=(const NearSpectrum&) = delete;
@@ -41,6 +39,7 @@ private:
     AmplitudeSamples samples_;
     glm::dvec2 incoming_;
     std::uint32_t points_;
+    double stretch_;
     double peak_;  // squared sum of the amplitudes
     std::unique_ptr<Plans> plans_;
 };

@@ -3,21 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "gpu/kernel.hpp"
+#include "wanted_device.hpp"
 
 namespace fringe::testing {
-namespace {
-
-std::string wantedDevice() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    return selector != nullptr ? selector : "";
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> runProbe(std::span<const std::uint32_t> spirv, std::span<const std::byte> uniforms,
                                     const std::vector<std::uint32_t>& constants, std::size_t words) {

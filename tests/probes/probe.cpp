@@ -4,21 +4,16 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <string>
 
 #include "gpu/kernel.hpp"
 #include "shaders/aperture_probe.comp.h"
+#include "wanted_device.hpp"
 
 namespace fringe::testing {
 namespace {
-
-std::string wantedDevice() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    return selector != nullptr ? selector : "";
-}
 
 template <class Value>
 gpu::Buffer uploaded(const gpu::Device& device, std::span<const Value> values) {

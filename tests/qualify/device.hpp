@@ -1,15 +1,13 @@
 // The device that these tests run on, with the validation layer.
 #pragma once
 
-#include <cstdlib>
-
 #include "gpu/device.hpp"
+#include "wanted_device.hpp"
 
 namespace fringe::qualify {
 
 inline const gpu::Device& device() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    static const gpu::Device one({.selector = selector != nullptr ? selector : "", .validation = true});
+    static const gpu::Device one({.selector = wantedDevice(), .validation = true});
     return one;
 }
 

@@ -4,20 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "render/rendering.hpp"
+#include "wanted_device.hpp"
 
 namespace fringe::testing {
 namespace {
 
 class ProgressiveOnDevice : public ::testing::Test {
 protected:
-    static std::string selector() {
-        const char* given = std::getenv("FRINGE_DEVICE");
-        return given != nullptr ? given : "";
-    }
-
     void TearDown() override {
         for (const std::string& message : device_.validationMessages()) ADD_FAILURE() << message;
     }
@@ -35,7 +30,7 @@ protected:
         return pixels;
     }
 
-    gpu::Device device_{{.selector = selector(), .validation = true}};
+    gpu::Device device_{{.selector = wantedDevice(), .validation = true}};
     render::Progressive progressive_{device_};
 };
 

@@ -4,23 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "gpu/device.hpp"
 #include "oracle/reference.hpp"
 #include "scene/parse.hpp"
+#include "wanted_device.hpp"
 
 namespace fringe::testing {
-namespace {
-
-std::string wantedDevice() {
-    const char* selector = std::getenv("FRINGE_DEVICE");
-    return selector != nullptr ? selector : "";
-}
-
-}  // namespace
 
 scene::Scene sceneFile(const std::string& path) {
     const std::string absolute = std::string(FRINGE_SOURCE_DIR) + "/" + path;
